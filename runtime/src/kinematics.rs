@@ -1,0 +1,55 @@
+//! The machine's kinematics as the runtime sees it: blocks of poses in, blocks of candidates out, and back.
+
+use crate::vector::Vec3;
+
+/// How many poses are solved at once.
+pub const LANES: usize = 64;
+
+/// One scalar of a block.
+pub type Lane = [f64; LANES];
+
+/// Poses of the tool in the workpiece: tip in millimetres and unit tool axis (from the tip to the spindle), both in the
+/// machine frame with every axis at zero.
+#[derive(Debug, Clone)]
+pub struct PoseBlock {
+    /// Tip x, y, z in millimetres.
+    pub tip_mm: [Lane; 3],
+    /// Unit tool axis i, j, k.
+    pub axis: [Lane; 3],
+}
+
+/// Joint values: `joints[a][l]` is axis `a` of lane `l`, in millimetres or degrees, machine coordinates.
+pub type JointBlock = Vec<Lane>;
+
+/// The candidates of a block.
+#[derive(Debug, Clone)]
+pub struct SolutionBlock {
+    /// `branches[b][a][l]`. Rotary values lie within one turn; whole turns are the branch choice's business.
+    pub branches: Vec<JointBlock>,
+    /// How far inside the machine's reach the wanted direction lies, in radians (about half the angle to the edge of
+    /// the reachable cone). Negative: out of reach by so much; the candidate is then the closest the machine can do.
+    pub reach_rad: Lane,
+    /// The sine of the angle between the wanted direction and the pole. At zero the first rotary is free.
+    pub pole_sine: Lane,
+}
+
+/// A machine's forward chain and its inverse. `tool_length_mm` is the gauge length.
+pub trait Kinematics {
+    /// How many axes there are, in the order of [`crate::machine::Machine::axes`].
+    fn axis_count(&self) -> usize;
+
+    /// How many candidates an inverse gives: 2 with two rotaries, else 1.
+    fn branch_count(&self) -> usize;
+
+    /// The axis that is free at the pole, if the machine has one.
+    fn free_axis(&self) -> Option<usize>;
+
+    /// Every candidate for each pose of the block.
+    fn inverse(&mut self, poses: &PoseBlock, tool_length_mm: f64, out: &mut SolutionBlock);
+
+    /// The linear joints for given rotary joints (already in `joints`) that put the tip on `tip_mm`; one pose.
+    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]);
+
+    /// The pose of each lane's joints.
+    fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock);
+}

@@ -1,0 +1,13 @@
+//! What every post compiled by machc links to.
+//!
+//! CL text is read as a stream (`cl`), placed (`place`), solved by the machine's own kinematics
+//! (`kinematics`), reduced to one joint path (`branch`), written (`nc`), read back (`readback`) and
+//! compared with the CL (`certificate`). The runtime never parses a `.mach` file: a machine reaches it
+//! as the tables of `machine` and `nc::dialect` and as an implementation of `kinematics::Kinematics`.
+
+pub mod cl;
+pub mod diagnostic;
+pub mod kinematics;
+pub mod machine;
+pub mod nc;
+pub mod vector;

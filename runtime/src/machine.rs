@@ -1,0 +1,109 @@
+//! What a post knows of its machine, apart from the kinematics: axes, travel, written range, policies.
+
+/// One machine axis. A linear joint value is in millimetres, a rotary one in degrees, both in machine
+/// coordinates: zero where the machine file's frame has the axis at zero.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// The axis letter (ISO 841), which is also its address in the program.
+    pub name: String,
+    /// How it moves.
+    pub motion: Motion,
+    /// How far it can go, in machine coordinates.
+    pub travel: Travel,
+    /// How its value is written.
+    pub written: Written,
+    /// The joint value at which the program reads zero: the axis' share of the program zero.
+    pub zero: f64,
+    /// How much of each millimetre of tool length the control takes into this axis (its length compensation along
+    /// the tool axis at home): written value = joint - zero - share × tool length.
+    pub length_share: f64,
+    /// Rapid traverse in mm/min or deg/min, where the machine file gives it.
+    pub rapid_per_min: Option<f64>,
+}
+
+/// How an axis moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Motion {
+    /// Along a line; values in millimetres.
+    Linear,
+    /// About a line; values in degrees.
+    Rotary,
+}
+
+/// The physical travel; infinite bounds where there is none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Travel {
+    /// The least joint value.
+    pub lower: f64,
+    /// The greatest joint value.
+    pub upper: f64,
+}
+
+impl Travel {
+    /// No limit at either end.
+    pub const UNLIMITED: Self = Self { lower: f64::NEG_INFINITY, upper: f64::INFINITY };
+}
+
+/// How a rotary value is written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Written {
+    /// As it is, whole turns included.
+    Unwound,
+    /// Reduced to one turn: `from_deg <= value < from_deg + 360`.
+    Wrapped {
+        /// The least value written.
+        from_deg: f64,
+    },
+}
+
+/// One way to prefer a candidate; lists of them are compared in order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Preference {
+    /// The smaller magnitude of this axis.
+    Least(usize),
+    /// This axis at or above zero.
+    Positive(usize),
+    /// This axis at or below zero.
+    Negative(usize),
+    /// The least sum of rotary travel from the previous position.
+    Nearest,
+}
+
+/// What to do with input that asks for a decision.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Strictness {
+    /// Refuse it.
+    Error,
+    /// Take it and say so.
+    Warn,
+}
+
+/// How one of the candidates is chosen at each point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BranchPolicy {
+    /// At the first point of a program.
+    pub start: Vec<Preference>,
+    /// At every further point.
+    pub then: Vec<Preference>,
+    /// When the travel forces another branch or a turn back in the middle of a cut.
+    pub reposition: Strictness,
+}
+
+/// The machine's tables.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Machine {
+    /// The name in the machine file.
+    pub name: String,
+    /// In the order in which their words are written.
+    pub axes: Vec<Axis>,
+    /// How candidates are chosen.
+    pub branch: BranchPolicy,
+    /// How far the tool axis may be from the wanted one, in radians, before a direction counts as out of reach.
+    pub axis_tolerance_rad: f64,
+    /// How far a segment may leave an arc of the CL, in millimetres.
+    pub chord_tolerance_mm: f64,
+    /// What a CL record that nobody knows does.
+    pub unknown_records: Strictness,
+    /// The tool's gauge length, in millimetres: what the control's length compensation takes into account.
+    pub tool_length_mm: f64,
+}

@@ -1,0 +1,221 @@
+//! A controller's dialect as tables: number pictures, words, modal groups, blocks.
+
+/// The unit of lengths, in the CL data or in the program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LengthUnit {
+    /// Millimetres.
+    Millimetre,
+    /// Inches of 25.4 mm.
+    Inch,
+}
+
+/// How a number is printed, from a picture such as `####.###`, `###0[.###]`, `+##0.000`.
+///
+/// Before the point every `#` or `0` is a digit that may be printed; from the first `0` on, digits are always printed.
+/// After the point `0` is always printed and `#` only when it or a later digit is not zero. A point outside brackets is
+/// always printed; `[.###]` drops the point along with the digits. A leading `+` prints the sign of positive numbers.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Picture {
+    /// Print `+` before positive numbers.
+    pub plus: bool,
+    /// The greatest number of digits before the point.
+    pub integer_digits: u8,
+    /// The digits before the point that are always printed.
+    pub integer_least: u8,
+    /// The greatest number of digits after the point: the resolution.
+    pub decimals: u8,
+    /// The digits after the point that are always printed.
+    pub decimals_least: u8,
+    /// When the point is printed.
+    pub point: Point,
+    /// What is printed for a number that rounds to zero, where it differs from the picture (`0.0`).
+    pub zero: Option<String>,
+}
+
+/// When a decimal point is printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Point {
+    /// Always (`25.`).
+    Always,
+    /// Only before digits (`25`, `25.5`).
+    Needed,
+    /// Never: the picture has no point.
+    Never,
+}
+
+/// An address and how its number is printed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Word {
+    /// The axis or register it stands for (`X`, `F`).
+    pub name: String,
+    /// What is printed before the number (`X`, `C1=`).
+    pub address: String,
+    /// For this program's unit of length.
+    pub picture: Picture,
+}
+
+/// Sequence numbers.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Sequence {
+    /// Before the number (`N`).
+    pub address: String,
+    /// The first number.
+    pub start: u64,
+    /// From one block to the next.
+    pub step: u64,
+    /// After the greatest, numbering begins again at `start`.
+    pub greatest: u64,
+}
+
+/// One piece of a line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Piece {
+    /// Printed as it is.
+    Text(String),
+    /// A code of a modal group: in motion blocks printed only when the group's state changes.
+    Modal {
+        /// Index into [`Dialect::modal_groups`].
+        group: usize,
+        /// Index into the group.
+        code: usize,
+    },
+    /// The words of all axes that change.
+    Axes,
+    /// The feed word, when it changes.
+    Feed,
+    /// A value of the program's, printed by the picture or plainly.
+    Value(Value, Option<Picture>),
+}
+
+/// What a `{placeholder}` stands for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Value {
+    /// `{program}`: the program's name, upper case, letters, digits and underscores.
+    Program,
+    /// `{machine}`: the machine's name.
+    Machine,
+    /// `{operation}`: the CL's operation name.
+    Operation,
+    /// `{tool}`: the tool's number.
+    Tool,
+    /// `{tool_name}`: the CL's tool name.
+    ToolName,
+    /// `{register}`: the tool's length register (the tool's number where the CL gives none).
+    Register,
+    /// `{speed}`: spindle speed in revolutions a minute.
+    Speed,
+    /// `{seconds}`: a dwell.
+    Seconds,
+    /// `{milliseconds}`: a dwell.
+    Milliseconds,
+    /// `{text}`: a message or a comment.
+    Text,
+    /// `{offset}`: the work offset's code.
+    Offset,
+    /// `{units}`: the code of the program's unit of length.
+    Units,
+    /// `{feed_mode}`: the code of the feed's kind.
+    FeedMode,
+}
+
+/// What makes the writer print a block.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Trigger {
+    /// `start`: the head of the program.
+    Start,
+    /// `end`: its foot.
+    End,
+    /// `operation`: a new operation of the CL.
+    Operation,
+    /// `tool`: a tool change.
+    Tool,
+    /// `spindle clockwise`.
+    SpindleClockwise,
+    /// `spindle counterclockwise`.
+    SpindleCounterclockwise,
+    /// `spindle off`.
+    SpindleOff,
+    /// `coolant flood` (and plain ON).
+    CoolantFlood,
+    /// `coolant mist`.
+    CoolantMist,
+    /// `coolant through`: through the tool.
+    CoolantThrough,
+    /// `coolant off`.
+    CoolantOff,
+    /// `stop`: a programmed stop.
+    Stop,
+    /// `optional stop`.
+    OptionalStop,
+    /// `dwell`.
+    Dwell,
+    /// `message`: text for the operator.
+    Message,
+    /// `rapid`: a rapid motion.
+    Rapid,
+    /// `feed`: a motion at feed.
+    Feed,
+}
+
+/// One line of a block.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Line {
+    /// Whether it takes a sequence number.
+    pub numbered: bool,
+    /// Its pieces, printed one after the other; blanks left by pieces that print nothing are dropped.
+    pub pieces: Vec<Piece>,
+}
+
+/// A block template.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Block {
+    /// When it is printed.
+    pub trigger: Trigger,
+    /// Its lines.
+    pub lines: Vec<Line>,
+}
+
+/// A controller's dialect, resolved for one machine and one unit of length.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Dialect {
+    /// The controller's name.
+    pub name: String,
+    /// The program's unit of length.
+    pub units: LengthUnit,
+    /// The program file's extension, without the dot.
+    pub extension: String,
+    /// What opens and closes a comment; an empty close means the end of the line.
+    pub comment: (String, String),
+    /// Sequence numbers, if any.
+    pub sequence: Option<Sequence>,
+    /// The work offset's code.
+    pub offset: String,
+    /// The codes for the program's unit of length, feed a minute and feed a revolution.
+    pub codes: Codes,
+    /// The words of the machine's axes, in the machine's order.
+    pub axes: Vec<Word>,
+    /// The feed word.
+    pub feed: Word,
+    /// Codes that replace each other.
+    pub modal_groups: Vec<Vec<String>>,
+    /// At most one block a trigger.
+    pub blocks: Vec<Block>,
+}
+
+/// Codes that follow from the program's state.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Codes {
+    /// For the program's unit of length (`G21`).
+    pub units: String,
+    /// Feed a minute (`G94`).
+    pub per_minute: String,
+    /// Feed a revolution (`G95`), where the control has it.
+    pub per_revolution: Option<String>,
+}
+
+impl Dialect {
+    /// The block that a trigger prints, if the controller has one.
+    pub fn block(&self, trigger: Trigger) -> Option<&Block> {
+        self.blocks.iter().find(|block| block.trigger == trigger)
+    }
+}

@@ -1,0 +1,3 @@
+//! The `machc` command.
+
+fn main() {}

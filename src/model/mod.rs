@@ -1,0 +1,3 @@
+//! The machine, with units resolved and names turned into ids.
+
+pub mod machine;

@@ -1,0 +1,470 @@
+//! The syntax tree of a `.mach` file. Every node that a diagnostic may point at carries its span.
+
+use std::ops::Range;
+
+/// A byte range in the file's text.
+pub type Span = Range<usize>;
+
+/// A value and where it stands.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spanned<T> {
+    /// What it is.
+    pub value: T,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// An identifier (`centre`), an axis name (`X`, `C1`) or a controller's or machine's name.
+pub type Name = Spanned<String>;
+
+/// A quoted string, without its quotes.
+pub type Text = Spanned<String>;
+
+/// Comments and blank lines around a statement: what the printer must keep.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Trivia {
+    /// Whether a blank line stands before the statement and its comments.
+    pub blank_before: bool,
+    /// Comments on lines of their own before it, and those inside it, without the `//`.
+    pub before: Vec<String>,
+    /// The comment behind it on its last line (for a block: on the line of its opening brace).
+    pub behind: Option<String>,
+}
+
+/// A statement with its trivia.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stated<T> {
+    /// The statement.
+    pub node: T,
+    /// The whole statement.
+    pub span: Span,
+    /// What stands around it.
+    pub trivia: Trivia,
+}
+
+/// A body in braces.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Body<T> {
+    /// Its statements in order.
+    pub statements: Vec<Stated<T>>,
+    /// Comments after the last statement.
+    pub trailing: Vec<String>,
+}
+
+/// A whole file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct File {
+    /// Its items and the comments after the last.
+    pub body: Body<Item>,
+}
+
+/// What stands at the top of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Item {
+    /// `use "controllers/syntec.mach"`: the items of another file, by a path relative to this one.
+    Use(Text),
+    /// `machine NAME like OTHER "title" { … }`.
+    Machine(Definition<MachineStatement>),
+    /// `controller NAME like OTHER "title" { … }`.
+    Controller(Definition<ControllerStatement>),
+}
+
+/// A named thing, perhaps like another of its kind, and what is said of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Definition<T> {
+    /// Its name.
+    pub name: Name,
+    /// The one it takes over from; its own statements come on top.
+    pub like: Option<Name>,
+    /// What people call it.
+    pub title: Option<Text>,
+    /// What is said of it.
+    pub body: Body<T>,
+}
+
+/// One statement of a machine.
+#[derive(Debug, Clone, PartialEq)]
+pub enum MachineStatement {
+    /// `let NAME = EXPRESSION`.
+    Let {
+        /// The parameter.
+        name: Name,
+        /// Its value: a number with or without a unit, or a vector.
+        value: Expression,
+    },
+    /// `chain w C' A' b X Y Z t`.
+    Chain(Vec<Link>),
+    /// `linear NAME along DIRECTION CLAUSE…`.
+    Linear {
+        /// The axis.
+        name: Name,
+        /// Where a positive motion goes.
+        along: Expression,
+        /// Travel and rapid, in any order, each at most once.
+        clauses: Vec<Spanned<AxisClause>>,
+    },
+    /// `rotary NAME about DIRECTION through POINT CLAUSE…`.
+    Rotary {
+        /// The axis.
+        name: Name,
+        /// Its direction; right-handed.
+        about: Expression,
+        /// A point on it; the origin where nothing is said.
+        through: Option<Expression>,
+        /// Travel and rapid.
+        clauses: Vec<Spanned<AxisClause>>,
+    },
+    /// `tool along DIRECTION at POINT length EXPRESSION`.
+    Tool {
+        /// From the tip to the spindle.
+        along: Expression,
+        /// The gauge point with every axis at zero; the origin where nothing is said.
+        at: Option<Expression>,
+        /// From the gauge point to the tip, against `along`; zero where nothing is said.
+        length: Option<Expression>,
+    },
+    /// `zero POINT`: the program zero in the machine frame with every axis at zero.
+    Zero(Expression),
+    /// `tolerance axis EXPRESSION` or `tolerance chord EXPRESSION`.
+    Tolerance {
+        /// Which tolerance.
+        kind: Spanned<ToleranceKind>,
+        /// Its value.
+        value: Expression,
+    },
+    /// `records unknown error` or `records unknown warn`.
+    Records(Spanned<Strictness>),
+    /// `branch { … }`.
+    Branch(Body<BranchStatement>),
+    /// `controller NAME { … }`: the controller, with what this machine changes of it.
+    Controller {
+        /// Which one.
+        name: Name,
+        /// Changes.
+        body: Body<ControllerStatement>,
+    },
+}
+
+/// One place of the chain, from the workpiece to the tool.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Link {
+    /// `w`.
+    Workpiece(Span),
+    /// `b`.
+    Bed(Span),
+    /// `t`.
+    Tool(Span),
+    /// An axis; primed when its positive sense is the workpiece's motion.
+    Axis {
+        /// Its name, without the prime.
+        name: Name,
+        /// Whether it has a prime.
+        primed: bool,
+    },
+}
+
+/// A clause of an axis.
+#[derive(Debug, Clone, PartialEq)]
+pub enum AxisClause {
+    /// `travel -30 .. 120 deg`. A bare first bound takes the unit of the second.
+    Travel(Expression, Expression),
+    /// `turns unlimited`.
+    Unlimited,
+    /// `rapid 36 m/min`.
+    Rapid(Expression),
+}
+
+/// Which tolerance.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ToleranceKind {
+    /// Between the wanted and the reached tool axis.
+    Axis,
+    /// Between an arc and the segments it is written as.
+    Chord,
+}
+
+/// What to do with input that asks for a decision.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Strictness {
+    /// `error`.
+    Error,
+    /// `warn`.
+    Warn,
+}
+
+/// A statement of a `branch` block.
+#[derive(Debug, Clone, PartialEq)]
+pub enum BranchStatement {
+    /// `start PREFERENCE, …`: at the first point.
+    Start(Vec<Spanned<Preference>>),
+    /// `then PREFERENCE, …`: afterwards.
+    Then(Vec<Spanned<Preference>>),
+    /// `reposition error` or `reposition warn`.
+    Reposition(Spanned<Strictness>),
+}
+
+/// One way to prefer a candidate.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Preference {
+    /// `least |C|`.
+    Least(Name),
+    /// `positive A`.
+    Positive(Name),
+    /// `negative A`.
+    Negative(Name),
+    /// `nearest`.
+    Nearest,
+}
+
+/// An expression, with its span.
+pub type Expression = Spanned<Box<ExpressionKind>>;
+
+/// What an expression is.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ExpressionKind {
+    /// `36`, `36 m/min`, `-1.5e-3 mm` has its sign outside.
+    Number {
+        /// As written.
+        digits: String,
+        /// The unit, if any.
+        unit: Option<Spanned<Unit>>,
+    },
+    /// A parameter, `pi`, or one of the unit vectors `x`, `y`, `z`.
+    Name(String),
+    /// `(1, 0, 0)`.
+    Vector([Expression; 3]),
+    /// `(a + b)`: parentheses are kept as written.
+    Group(Expression),
+    /// `-a`, `+a`.
+    Sign {
+        /// Whether it is a minus.
+        minus: bool,
+        /// What it applies to.
+        of: Expression,
+    },
+    /// `a + b` and so on.
+    Binary {
+        /// The operator.
+        operator: Operator,
+        /// The left side.
+        left: Expression,
+        /// The right side.
+        right: Expression,
+    },
+    /// `cos(60 deg)`.
+    Call {
+        /// The function's name.
+        function: Name,
+        /// Its arguments.
+        arguments: Vec<Expression>,
+    },
+}
+
+/// A binary operator. `^` binds tightest and to the right, then `*` and `/`, then `+` and `-`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Operator {
+    /// `+`
+    Add,
+    /// `-`
+    Subtract,
+    /// `*`
+    Multiply,
+    /// `/`
+    Divide,
+    /// `^`
+    Power,
+}
+
+/// A unit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unit {
+    /// `mm`
+    Millimetre,
+    /// `um`
+    Micrometre,
+    /// `m`
+    Metre,
+    /// `in`
+    Inch,
+    /// `deg`
+    Degree,
+    /// `rad`
+    Radian,
+    /// `mrad`
+    Milliradian,
+    /// `urad`
+    Microradian,
+    /// `arcsec`
+    Arcsecond,
+    /// `rpm`
+    RevolutionPerMinute,
+    /// `mm/min`
+    MillimetrePerMinute,
+    /// `m/min`
+    MetrePerMinute,
+    /// `mm/s`
+    MillimetrePerSecond,
+    /// `in/min`
+    InchPerMinute,
+    /// `deg/min`
+    DegreePerMinute,
+    /// `deg/s`
+    DegreePerSecond,
+}
+
+/// One statement of a controller. In a machine's own `controller` block a statement replaces the family's statement
+/// about the same thing.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ControllerStatement {
+    /// `units mm` or `units inch`: of the program.
+    Units(Spanned<LengthUnit>),
+    /// `extension "nc"`.
+    Extension(Text),
+    /// `comment "(" ")"`, `comment ";"`.
+    Comment {
+        /// What opens a comment.
+        open: Text,
+        /// What closes it; the end of the line where nothing is said.
+        close: Option<Text>,
+    },
+    /// `sequence none`.
+    NoSequence,
+    /// `sequence "N" start 10 step 10 greatest 9999`.
+    Sequence {
+        /// The address.
+        address: Text,
+        /// The first number; 1 where nothing is said.
+        start: Option<Expression>,
+        /// From block to block; 1 where nothing is said.
+        step: Option<Expression>,
+        /// The greatest; 99999 where nothing is said.
+        greatest: Option<Expression>,
+    },
+    /// `offset "G54"`: the work offset's code.
+    Offset(Text),
+    /// `code units mm "G21" inch "G20"`.
+    UnitsCode {
+        /// For millimetres.
+        mm: Text,
+        /// For inches.
+        inch: Text,
+    },
+    /// `code feed minute "G94" revolution "G95"`.
+    FeedCode {
+        /// Per minute.
+        minute: Text,
+        /// Per revolution, where the control has it.
+        revolution: Option<Text>,
+    },
+    /// `format length "####.###" inch "###.####" zero "0.0"`.
+    Format {
+        /// The format's name.
+        name: Name,
+        /// Its picture.
+        picture: Text,
+        /// Its picture in an inch program, where it differs.
+        inch: Option<Text>,
+        /// What a number that rounds to zero prints, where it differs.
+        zero: Option<Text>,
+    },
+    /// `word X Y Z length`, `word C1 angle as "C1="`.
+    Word {
+        /// Axes, or `F`.
+        names: Vec<Name>,
+        /// The format's name.
+        format: Name,
+        /// What is printed before the number, where it is not the name itself.
+        address: Option<Text>,
+    },
+    /// `write C 0 .. 360`.
+    WriteRange {
+        /// A rotary axis.
+        axis: Name,
+        /// The least value.
+        from: Expression,
+        /// 360 degrees above it, itself never written.
+        to: Expression,
+    },
+    /// `write C unwound`.
+    WriteUnwound(Name),
+    /// `modal G0 G1 G2 G3`: codes that replace each other.
+    Modal(Vec<Name>),
+    /// `on EVENT { LINE… }`.
+    On {
+        /// Which event.
+        event: Spanned<Event>,
+        /// The lines it prints.
+        body: Body<LineTemplate>,
+    },
+}
+
+/// The unit of length of a program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LengthUnit {
+    /// `mm`.
+    Millimetre,
+    /// `inch`.
+    Inch,
+}
+
+/// What prints a block.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Event {
+    /// `start`.
+    Start,
+    /// `end`.
+    End,
+    /// `operation`.
+    Operation,
+    /// `tool`.
+    Tool,
+    /// `spindle clockwise`.
+    SpindleClockwise,
+    /// `spindle counterclockwise`.
+    SpindleCounterclockwise,
+    /// `spindle off`.
+    SpindleOff,
+    /// `coolant flood`.
+    CoolantFlood,
+    /// `coolant mist`.
+    CoolantMist,
+    /// `coolant through`.
+    CoolantThrough,
+    /// `coolant off`.
+    CoolantOff,
+    /// `stop`.
+    Stop,
+    /// `optional stop`.
+    OptionalStop,
+    /// `dwell`.
+    Dwell,
+    /// `message`.
+    Message,
+    /// `rapid`.
+    Rapid,
+    /// `feed`.
+    Feed,
+}
+
+/// One line of a block: `"T{tool} M6"`, or `bare "%"` for a line without a sequence number.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LineTemplate {
+    /// Whether it is `bare`.
+    pub bare: bool,
+    /// Its pieces.
+    pub pieces: Vec<Spanned<TemplatePiece>>,
+}
+
+/// A piece of a line.
+#[derive(Debug, Clone, PartialEq)]
+pub enum TemplatePiece {
+    /// Literal text, as it is printed (`{{` and `}}` stand for single braces, `\"` for a quote).
+    Text(String),
+    /// `{tool}`, `{tool:00}`.
+    Placeholder {
+        /// Its name.
+        name: String,
+        /// Its picture, if any.
+        picture: Option<String>,
+    },
+}
