@@ -115,7 +115,7 @@ impl ReadBack {
             self.axes[axis].written = Some(value);
             return Ok(end);
         }
-        if !self.comment.0.is_empty() && text[at..].starts_with(&self.comment.0) {
+        if self.comment.0.first() == Some(&text[at]) && text[at..].starts_with(&self.comment.0) {
             return comment_end(text, at + self.comment.0.len(), &self.comment.1).ok_or(Mistake::OpenComment);
         }
         self.other_word(text, at).ok_or(Mistake::NoWord)
@@ -149,7 +149,7 @@ impl ReadBack {
             None => return None,
         };
         let name = &text[at..name_end];
-        let is_axis = self.axes.iter().any(|axis| axis.name == name || axis.address == name);
+        let is_axis = self.axes.iter().any(|axis| axis.name.iter().eq(name) || axis.address.iter().eq(name));
         (!is_axis).then_some(end)
     }
 }

@@ -34,22 +34,27 @@ impl AxisWord {
 
     /// The units to print for a joint value in machine coordinates. A turn is taken off after rounding, so that what
     /// rounds to 360 degrees is written as 0.
+    #[inline]
     pub(super) fn units(&self, joint: f64, tool_length_mm: f64) -> Result<i64, WriteError> {
         let value = (joint - self.zero - self.length_share * tool_length_mm) * self.scale;
         let picture = &self.word.picture;
         picture
             .unbounded_units(value)
             .map(|units| match self.turn {
-                Some((from, turn)) => from + (units - from).rem_euclid(turn),
-                None => units,
+                Some((from, turn)) if !(from..from + turn).contains(&units) => from + (units - from).rem_euclid(turn),
+                _ => units,
             })
             .and_then(|units| picture.fits(units))
             .ok_or_else(|| WriteError::too_large(&self.word, value))
     }
 
     /// Prints the word.
+    #[inline]
     pub(super) fn print(&self, units: i64, out: &mut Vec<u8>) {
-        out.extend_from_slice(self.word.address.as_bytes());
+        match self.word.address.as_bytes() {
+            [letter] => out.push(*letter),
+            address => out.extend_from_slice(address),
+        }
         self.word.picture.print(units, out);
     }
 }
