@@ -10,4 +10,5 @@ pub mod diagnostic;
 pub mod kinematics;
 pub mod machine;
 pub mod nc;
+pub mod place;
 pub mod vector;
