@@ -74,7 +74,7 @@ pub struct Diagnostic {
     /// Facts that help to understand.
     pub notes: Vec<String>,
     /// A change that would mend it, where one is known.
-    pub suggestion: Option<Suggestion>,
+    pub suggestion: Option<Box<Suggestion>>,
 }
 
 impl Diagnostic {
@@ -109,7 +109,7 @@ impl Diagnostic {
     /// Adds the way out.
     #[must_use]
     pub fn suggest(mut self, suggestion: Suggestion) -> Self {
-        self.suggestion = Some(suggestion);
+        self.suggestion = Some(Box::new(suggestion));
         self
     }
 }

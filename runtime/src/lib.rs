@@ -10,5 +10,6 @@ pub mod diagnostic;
 pub mod kinematics;
 pub mod machine;
 pub mod nc;
+pub mod place;
 pub mod readback;
 pub mod vector;
