@@ -116,7 +116,7 @@ impl<'g> Notation<'g> {
             Op::Add(a, b) => self.sum(a, b),
             Op::Sub(a, b) => (format!("{} - {}", self.operand(a, Sum), self.operand(b, Product)), Sum),
             Op::Mul(a, b) if a == b => (format!("{}²", self.squared(a)), Atom),
-            Op::Mul(a, b) => (format!("{} {}", self.operand(a, Product), self.operand(b, Product)), Product),
+            Op::Mul(a, b) => self.product(a, b),
             Op::Div(a, b) => (format!("{} / {}", self.operand(a, Product), self.operand(b, Atom)), Product),
             Op::Sqrt(a) => (format!("√({})", self.operand(a, Sum)), Atom),
             Op::Sin(a) => (format!("sin {}", self.operand(a, Atom)), Atom),
@@ -135,9 +135,26 @@ impl<'g> Notation<'g> {
     fn sum(&self, a: Id, b: Id) -> (String, Binding) {
         let text = match self.graph.as_constant(a) {
             Some(value) if value < 0.0 => format!("{} - {}", self.operand(b, Binding::Sum), number(-value)),
-            _ => format!("{} + {}", self.operand(a, Binding::Sum), self.operand(b, Binding::Sum)),
+            _ => {
+                let mut terms = [self.operand(a, Binding::Sum), self.operand(b, Binding::Sum)];
+                if self.is_simple(a) && self.is_simple(b) {
+                    terms.sort();
+                }
+                terms.join(" + ")
+            }
         };
         (text, Binding::Sum)
+    }
+
+    /// `a b`: numbers and names before functions, those by their arguments.
+    fn product(&self, a: Id, b: Id) -> (String, Binding) {
+        let key = |id: Id| match self.graph.op(id) {
+            Op::Constant(_) => (0, String::new()),
+            Op::Sin(angle) | Op::Cos(angle) if !self.names.contains_key(&id) => (2, self.operand(angle, Binding::Atom)),
+            _ => (1, String::new()),
+        };
+        let (a, b) = if key(b) < key(a) { (b, a) } else { (a, b) };
+        (format!("{} {}", self.operand(a, Binding::Product), self.operand(b, Binding::Product)), Binding::Product)
     }
 
     fn squared(&self, id: Id) -> String {

@@ -3,6 +3,13 @@
 
 use super::graph::{Graph, Id, Op};
 
+/// What a sum is without its constant.
+#[derive(Clone, Copy)]
+struct Rest {
+    minus: bool,
+    id: Id,
+}
+
 impl Graph {
     /// A number.
     pub fn constant(&mut self, value: f64) -> Id {
@@ -70,7 +77,14 @@ impl Graph {
         if let Some(folded) = self.squares_of_one_angle(a, b) {
             return folded;
         }
-        self.intern(Op::Add(a, b))
+        match (self.offset_and_rest(a), self.offset_and_rest(b)) {
+            ((0.0, _), (0.0, _)) => self.intern(Op::Add(a, b)),
+            ((x, None), (0.0, Some(_))) if x != 0.0 => self.intern(Op::Add(a, b)),
+            ((x, rest_a), (y, rest_b)) => {
+                let rest = self.sum_of_rests(rest_a, rest_b, false);
+                self.with_offset(x + y, rest)
+            }
+        }
     }
 
     /// `a - b`
@@ -97,7 +111,51 @@ impl Graph {
         if let Some(folded) = self.difference_of_squares_of_one_angle(a, b) {
             return folded;
         }
-        self.intern(Op::Sub(a, b))
+        match (self.offset_and_rest(a), self.offset_and_rest(b)) {
+            ((0.0, _), (0.0, _)) => self.intern(Op::Sub(a, b)),
+            ((x, None), (0.0, Some(_))) if x != 0.0 => self.intern(Op::Sub(a, b)),
+            ((x, rest_a), (y, rest_b)) => {
+                let rest = self.sum_of_rests(rest_a, rest_b, true);
+                self.with_offset(x - y, rest)
+            }
+        }
+    }
+
+    /// `a` as a number plus a rest: constants of nested sums meet, and may cancel.
+    fn offset_and_rest(&self, a: Id) -> (f64, Option<Rest>) {
+        match self.op(a) {
+            Op::Constant(value) => (value, None),
+            Op::Add(b, c) if self.as_constant(b).is_some() => {
+                (self.as_constant(b).unwrap_or_default(), Some(Rest { minus: false, id: c }))
+            }
+            Op::Sub(b, c) if self.as_constant(b).is_some() => {
+                (self.as_constant(b).unwrap_or_default(), Some(Rest { minus: true, id: c }))
+            }
+            _ => (0.0, Some(Rest { minus: false, id: a })),
+        }
+    }
+
+    fn sum_of_rests(&mut self, a: Option<Rest>, b: Option<Rest>, subtract: bool) -> Rest {
+        let b = b.map(|rest| Rest { minus: rest.minus != subtract, ..rest });
+        match (a, b) {
+            (Some(a), Some(b)) => match (a.minus, b.minus) {
+                (false, false) => Rest { minus: false, id: self.add(a.id, b.id) },
+                (true, true) => Rest { minus: true, id: self.add(a.id, b.id) },
+                (false, true) => Rest { minus: false, id: self.sub(a.id, b.id) },
+                (true, false) => Rest { minus: false, id: self.sub(b.id, a.id) },
+            },
+            (Some(rest), None) | (None, Some(rest)) => rest,
+            (None, None) => unreachable!("the sum of two constants was folded before"),
+        }
+    }
+
+    fn with_offset(&mut self, offset: f64, rest: Rest) -> Id {
+        let offset = self.constant(offset);
+        match rest.minus {
+            // The rest has no offset of its own any more, so that these come to an end.
+            false => self.add(offset, rest.id),
+            true => self.sub(offset, rest.id),
+        }
     }
 
     /// `a b`
