@@ -1,3 +1,8 @@
 //! Text to tree and tree to text.
 
+pub mod event;
+pub mod parse;
+pub mod place;
+pub mod spelling;
 pub mod tree;
+pub mod unit;

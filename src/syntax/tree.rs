@@ -20,13 +20,22 @@ pub type Name = Spanned<String>;
 /// A quoted string, without its quotes.
 pub type Text = Spanned<String>;
 
+/// A comment on a line of its own.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Comment {
+    /// Without the `//` and one blank after it.
+    pub text: String,
+    /// Whether a blank line stands before it.
+    pub blank_before: bool,
+}
+
 /// Comments and blank lines around a statement: what the printer must keep.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Trivia {
-    /// Whether a blank line stands before the statement and its comments.
+    /// Comments on lines of their own before it, and those inside it.
+    pub before: Vec<Comment>,
+    /// Whether a blank line stands between those comments (or what comes before) and the statement.
     pub blank_before: bool,
-    /// Comments on lines of their own before it, and those inside it, without the `//`.
-    pub before: Vec<String>,
     /// The comment behind it on its last line (for a block: on the line of its opening brace).
     pub behind: Option<String>,
 }
@@ -48,7 +57,7 @@ pub struct Body<T> {
     /// Its statements in order.
     pub statements: Vec<Stated<T>>,
     /// Comments after the last statement.
-    pub trailing: Vec<String>,
+    pub trailing: Vec<Comment>,
 }
 
 /// A whole file.
