@@ -29,8 +29,10 @@ pub enum WriteError {
     NoFeedPerRevolution,
 }
 
-/// E1160.
-pub static NO_BLOCK: Code = Code {
+/// Every kind of it.
+pub static CODES: [&Code; 5] = [&NO_BLOCK, &TOO_LARGE, &NO_FEED, &NO_PROGRAM_NAME, &NO_FEED_PER_REVOLUTION];
+
+static NO_BLOCK: Code = Code {
     id: "E1160",
     title: "the controller has no block for this",
     explanation: "\
@@ -47,8 +49,7 @@ cannot write a `COOLNT/MIST`. Add the block to the controller, or to the machine
 An empty block, `on coolant mist { }`, says that nothing is to be written.",
 };
 
-/// E1161.
-pub static TOO_LARGE: Code = Code {
+static TOO_LARGE: Code = Code {
     id: "E1161",
     title: "a number has too many digits for its word",
     explanation: "\
@@ -62,8 +63,7 @@ If the control takes more digits, give the format more `#`:
 If it does not, the program asks for a point that the machine cannot reach.",
 };
 
-/// E1162.
-pub static NO_FEED: Code = Code {
+static NO_FEED: Code = Code {
     id: "E1162",
     title: "the feed rate is zero once it is rounded",
     explanation: "\
@@ -75,8 +75,7 @@ Give the feed's format more decimals:
     format feed \"#####.###\"",
 };
 
-/// E1163.
-pub static NO_PROGRAM_NAME: Code = Code {
+static NO_PROGRAM_NAME: Code = Code {
     id: "E1163",
     title: "the program has no name",
     explanation: "\
@@ -84,8 +83,7 @@ The head of the program prints `{program}`, which is made of the letters, digits
 program is posted under. Nothing is left of a name such as `-` or `...`. Post to a file whose name has letters or digits.",
 };
 
-/// E1164.
-pub static NO_FEED_PER_REVOLUTION: Code = Code {
+static NO_FEED_PER_REVOLUTION: Code = Code {
     id: "E1164",
     title: "the controller has no feed per revolution",
     explanation: "\
