@@ -1,4 +1,6 @@
 //! machc compiles a data sheet of a machine tool into a post-processor.
 
+pub mod derive;
 pub mod model;
+pub mod plan;
 pub mod syntax;

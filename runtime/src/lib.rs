@@ -11,4 +11,5 @@ pub mod kinematics;
 pub mod machine;
 pub mod nc;
 pub mod place;
+pub mod readback;
 pub mod vector;
