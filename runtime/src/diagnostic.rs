@@ -40,6 +40,13 @@ pub struct Place {
     pub end: usize,
 }
 
+impl Place {
+    /// A whole line, known by its number only: whoever has the file may fill in the text.
+    pub fn line(file: &str, line: u64) -> Self {
+        Self { file: file.to_owned(), line, column: 1, excerpt: String::new(), start: 0, end: 0 }
+    }
+}
+
 /// A place and what is to be said of it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Label {

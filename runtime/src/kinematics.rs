@@ -22,6 +22,14 @@ impl PoseBlock {
     /// All lanes zero: a block to be filled.
     pub const ZERO: Self = Self { tip_mm: [[0.0; LANES]; 3], axis: [[0.0; LANES]; 3] };
 
+    /// Puts a pose into one lane.
+    pub fn set(&mut self, lane: usize, tip_mm: Vec3, axis: Vec3) {
+        for i in 0..3 {
+            self.tip_mm[i][lane] = tip_mm[i];
+            self.axis[i][lane] = axis[i];
+        }
+    }
+
     /// The tip of one lane.
     pub fn tip(&self, lane: usize) -> Vec3 {
         self.tip_mm.map(|component| component[lane])

@@ -6,6 +6,7 @@
 //! what is linear in the linear joints for those (`position`).
 
 mod chain;
+pub mod family;
 mod forward;
 mod orientation;
 mod position;

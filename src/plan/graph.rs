@@ -103,6 +103,15 @@ impl Graph {
         self.nodes[id.index()]
     }
 
+    /// The inputs that are there, with their indices.
+    pub fn inputs(&self) -> impl Iterator<Item = (Id, usize)> + '_ {
+        let input = |(place, op): (usize, &Op)| match op {
+            Op::Input(index) => Some((Id(u32::try_from(place).expect("ids fit")), *index)),
+            _ => None,
+        };
+        self.nodes.iter().enumerate().filter_map(input)
+    }
+
     /// How many nodes there are.
     pub fn len(&self) -> usize {
         self.nodes.len()

@@ -160,6 +160,15 @@ impl Graph {
         }
     }
 
+    /// Whether a node is the sine (`true`) or the cosine of half a known angle, and that whole angle.
+    pub fn half_angle_of(&self, id: Id) -> Option<(bool, Id)> {
+        let halves = self.angles.iter().filter_map(|(&half, &pair)| Some((self.double_of(half)?, pair)));
+        halves
+            .filter(|(_, (sine, cosine))| id == *sine || id == *cosine)
+            .map(|(double, (sine, _))| (id == sine, double))
+            .next()
+    }
+
     /// The half of an angle from 0 to π with known sine and cosine, without a trigonometric function: the larger of
     /// the two half-angle functions from the root, the smaller from the sine, so that neither loses digits.
     pub fn half_angle(&mut self, angle: Id) -> Id {
