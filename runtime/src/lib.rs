@@ -16,4 +16,5 @@ pub mod path;
 pub mod place;
 pub mod post;
 pub mod readback;
+pub mod render;
 pub mod vector;

@@ -8,6 +8,7 @@ pub mod event;
 mod motion;
 mod number;
 mod plain;
+mod quote;
 mod reader;
 mod record;
 mod setting;
@@ -16,6 +17,7 @@ mod words;
 
 use crate::diagnostic::Code;
 
+pub use quote::quote;
 pub use reader::{Next, Reader, ReaderOptions};
 
 /// Every kind of diagnostic that reading CL text raises.
@@ -40,7 +42,6 @@ pub static CODES: &[&Code] = &[
     &motion::ODD_FRAME,
     &motion::NOT_UNIT,
     &setting::MIXED_UNITS,
-    &motion::NO_FEED,
     &motion::INSERTED,
     &reader::MANY_WARNINGS,
     &words::UNKNOWN_RECORD_LEFT_OUT,

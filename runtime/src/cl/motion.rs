@@ -50,16 +50,6 @@ systems write unit vectors, so this may be another kind of data (a point on the 
 ",
 };
 
-/// Motion at a feed that nobody has given.
-pub(super) static NO_FEED: Code = Code {
-    id: "W1004",
-    title: "the tool moves at feed before any feed rate is given",
-    explanation: "\
-A GOTO without a RAPID before it moves at the feed of the last FEDRAT, and there is none yet. The NC program will have no
-F word there. Reported once a file.
-",
-};
-
 /// An arc whose ends are not on its circle.
 pub(super) static OFF_CIRCLE: Code = Code {
     id: "E1020",
@@ -156,7 +146,6 @@ pub(super) struct Motion {
 #[derive(Debug, Default)]
 pub(super) struct Once {
     not_unit: Option<(Diagnostic, u64)>,
-    no_feed: Option<Diagnostic>,
     inserted: Option<Diagnostic>,
 }
 
@@ -167,7 +156,7 @@ impl Once {
             1 => first,
             _ => first.note(format!("{count} records of the file have such a direction")),
         });
-        [self.no_feed.take(), self.inserted.take(), not_unit].into_iter().flatten().collect()
+        [self.inserted.take(), not_unit].into_iter().flatten().collect()
     }
 
     /// Remembers the first INSERT.
@@ -205,7 +194,7 @@ impl Motion {
             }
         };
         let tip_mm = self.placement.point(scale(self.unit_mm, tip));
-        let usual = tip_mm.iter().all(|mm| mm.abs() <= FARTHEST_MM) && (self.rapid || self.feed.is_some());
+        let usual = tip_mm.iter().all(|mm| mm.abs() <= FARTHEST_MM);
         usual.then(|| self.go(tip_mm, axis, line))
     }
 
@@ -232,11 +221,11 @@ impl Motion {
         let (tip_mm, axis) = self.pose(record)?;
         let start_mm = self.tip_mm;
         let Some((circle, open)) = self.circle.take() else {
-            return Ok(Moved::To(self.move_to(tip_mm, axis, record)));
+            return Ok(Moved::To(self.go(tip_mm, axis, record.last_line())));
         };
         let Some(start_mm) = start_mm else { return Err(open) };
         let start_axis = self.axis;
-        let last = self.move_to(tip_mm, axis, record);
+        let last = self.go(tip_mm, axis, record.last_line());
         if norm(sub(axis, start_axis)) > UNIT_TOLERANCE {
             let error = Diagnostic::error(&TILTING_ARC, "the tool axis changes along this arc");
             return Err(error.at(record.place_of_all(), "another axis than at the arc's beginning"));
@@ -265,7 +254,7 @@ impl Motion {
             return Err(error.at(record.place(), "needs a GOTO or FROM before it"));
         };
         let tip_mm = checked(add(tip_mm, step_mm), record)?;
-        Ok(Moved::To(self.move_to(tip_mm, axis, record)))
+        Ok(Moved::To(self.go(tip_mm, axis, record.last_line())))
     }
 
     /// `GOHOME[/x,y,z[,i,j,k]]`; without numbers, to where FROM was.
@@ -276,7 +265,7 @@ impl Motion {
         let Some(home_mm) = self.home_mm else {
             return Err(record.missing(0, "needs coordinates, as there is no FROM before it"));
         };
-        Ok(Moved::To(self.move_to(home_mm, self.axis, record)))
+        Ok(Moved::To(self.go(home_mm, self.axis, record.last_line())))
     }
 
     /// `FROM/x,y,z[,i,j,k]`: where the tool stands; no motion.
@@ -329,14 +318,6 @@ impl Motion {
         })?;
         self.placement.set(frame);
         Ok(())
-    }
-
-    fn move_to(&mut self, tip_mm: Vec3, axis: Vec3, record: &Record) -> Point {
-        if !self.rapid && self.feed.is_none() && self.once.no_feed.is_none() {
-            let warning = Diagnostic::warning(&NO_FEED, "the tool moves at feed, and no feed rate has been given");
-            self.once.no_feed = Some(warning.at(record.place(), "a FEDRAT or RAPID should stand before this"));
-        }
-        self.go(tip_mm, axis, record.last_line())
     }
 
     fn pose(&mut self, record: &Record) -> Result<(Vec3, Vec3), Diagnostic> {

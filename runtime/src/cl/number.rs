@@ -22,9 +22,10 @@ pub(super) fn leading_decimal(text: &[u8]) -> Option<(f64, usize)> {
     if count == 0 || count > 15 {
         return None;
     }
-    let magnitude = mantissa as f64 / POWERS_OF_TEN[decimals];
-    // Adding zero turns -0 into 0.
-    Some((if negative { 0.0 - magnitude } else { magnitude }, end))
+    // The sign is put on the whole number, which has no -0.
+    let mantissa = mantissa as i64;
+    let mantissa = if negative { -mantissa } else { mantissa };
+    Some((mantissa as f64 / POWERS_OF_TEN[decimals], end))
 }
 
 /// Appends the digits from `at` on to `value`; more than 15 of them wrap around, which the caller checks.
@@ -68,6 +69,20 @@ mod tests {
         }
         assert_eq!(leading_decimal(b"1.5,2"), Some((1.5, 3)));
         assert_eq!(leading_decimal(b"1.5E3"), Some((1.5, 3)));
+    }
+
+    #[test]
+    fn whatever_follows_a_number_does_not_change_it() {
+        for text in ["1", "12.5", "-123.4567", "12345678", "123456.78901234"] {
+            for next in 0..=u8::MAX {
+                let mut bytes = text.as_bytes().to_vec();
+                bytes.extend([next; 9]);
+                let expected = (text.parse().unwrap(), text.len());
+                if !next.is_ascii_digit() && (next != b'.' || text.contains('.')) {
+                    assert_eq!(leading_decimal(&bytes), Some(expected), "{text} {next}");
+                }
+            }
+        }
     }
 
     #[test]

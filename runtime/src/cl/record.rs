@@ -11,11 +11,6 @@ use crate::cl::source::{LONGEST_LINE_BYTES, Line, Source};
 use crate::cl::words::is_free_text;
 use crate::diagnostic::{Code, Diagnostic, Place};
 
-/// How many characters of a long line are shown.
-const EXCERPT_CHARS: usize = 160;
-/// How many of them stand before the mark.
-const EXCERPT_BEFORE: usize = 40;
-
 /// What some editors put before UTF-8 text.
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 /// What old programs put after the last line.
@@ -276,20 +271,16 @@ impl Record {
         let before = &self.raw[..mark.start];
         let line_start = memchr::memrchr(b'\n', before).map_or(0, |feed| feed + 1);
         let line_end = memchr::memchr(b'\n', &self.raw[mark.start..]).map_or(self.raw.len(), |feed| mark.start + feed);
+        let mark_end = mark.end.min(line_end);
         let head = decoded(&self.raw[line_start..mark.start]);
-        let marked = decoded(&self.raw[mark.start..mark.end.min(line_end)]);
-        let tail = decoded(&self.raw[mark.end.min(line_end)..line_end]);
-        let column = head.chars().count();
-        let head: String = head.chars().skip(column.saturating_sub(EXCERPT_BEFORE)).collect();
-        let marked: String = marked.chars().take(EXCERPT_CHARS).collect();
-        let tail: String = tail.chars().take(EXCERPT_CHARS - EXCERPT_BEFORE).collect();
+        let marked = decoded(&self.raw[mark.start..mark_end]);
         Place {
             file: self.file.clone(),
             line: self.first_line + line_feeds(before),
-            column: column as u64 + 1,
+            column: head.chars().count() as u64 + 1,
             start: head.len(),
             end: head.len() + marked.len(),
-            excerpt: head + &marked + &tail,
+            excerpt: head + &marked + &decoded(&self.raw[mark_end..line_end]),
         }
     }
 
@@ -325,7 +316,7 @@ fn trimmed(text: &[u8], range: Range<usize>) -> Range<usize> {
 }
 
 /// UTF-8, or else Latin-1, in which every byte is a character.
-fn decoded(bytes: &[u8]) -> String {
+pub(super) fn decoded(bytes: &[u8]) -> String {
     str::from_utf8(bytes).map_or_else(|_| bytes.iter().map(|byte| char::from(*byte)).collect(), str::to_owned)
 }
 

@@ -93,11 +93,6 @@ fn a_file_without_motion() {
 }
 
 #[test]
-fn motion_at_a_feed_nobody_gave() {
-    assert_eq!(found("GOTO/1,2,3\nGOTO/2,3,4\n"), [("W1004", 1, 1)]);
-}
-
-#[test]
 fn a_binary_file_is_refused_at_once() {
     assert_eq!(found(b"GOTO/1,2,3\nPK\x03\x04\x00\x00\nmore\x00\n"), [("E1001", 2, 3)]);
     assert_eq!(found(b"\xff\xfeG\x00O\x00T\x00O\x00"), [("E1001", 1, 4)]);
