@@ -97,7 +97,11 @@ impl<'t> Builder<'_, 't> {
         let mut trivia = Trivia { before, blank_before: self.comments.blank_line_until(span.start), behind: None };
         // A block's own comment stands behind its opening brace; what is inside belongs to its statements.
         let head_end = grammar::opening_brace(&pair).unwrap_or(span.end);
-        trivia.before.extend(self.comments.inside(head_end));
+        let mut inside = self.comments.inside(head_end);
+        if let Some(first) = inside.first_mut() {
+            first.blank_before = std::mem::take(&mut trivia.blank_before);
+        }
+        trivia.before.extend(inside);
         trivia.behind = self.comments.behind(head_end);
         let node = build(self, pair);
         if trivia.behind.is_none() && self.comments.is_one_line(head_end, span.end) {
