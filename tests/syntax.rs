@@ -127,7 +127,7 @@ fn the_same_in_a_controller() {
         ("modal G0 g1", "E0107 2:10 expected a code such as `G0`, the next statement or `}`, found `g1`"),
         ("sequence \"N\" step 5 start 1", "E0107 2:21 expected `greatest` or `}`, found `start`"),
         ("extension nc", "E0107 2:11 expected a text in quotes, found `nc`"),
-        ("on rapid { \"G0 {}\" }", "E0107 2:16 expected the name of a placeholder, found `}`"),
+        ("on rapid { \"G0 {}\" }", "E0107 2:17 expected the name of a placeholder, found `}`"),
         ("on rapid { \"G0 {axes\" }", "E0107 2:21 expected `:` or `}`, found `\"`"),
         ("on rapid { G0 }", "E0108 2:12 there is no statement `G0` in an `on` block"),
         ("on { }", "E0107 2:4 expected an event, found `{`"),
