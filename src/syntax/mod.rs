@@ -3,6 +3,7 @@
 pub mod event;
 pub mod parse;
 pub mod place;
+pub mod print;
 pub mod spelling;
 pub mod tree;
 pub mod unit;

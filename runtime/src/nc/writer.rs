@@ -142,7 +142,7 @@ impl Writer {
     ) -> Result<(), WriteError> {
         let (trigger, feed) = match approach {
             Approach::Rapid => (Trigger::Rapid, None),
-            Approach::Feed(feed) => (Trigger::Feed, Some(feed_state(feed, &self.dialect)?)),
+            Approach::Feed(feed) => (Trigger::Feed, feed.map(|feed| feed_state(feed, &self.dialect)).transpose()?),
         };
         let block = self.dialect.block(trigger).ok_or(WriteError::NoBlock(trigger))?;
         let state = &mut self.state;

@@ -80,7 +80,7 @@ fn what_was_written_is_read_to_half_a_unit_of_each_word() {
         for joints in path(20_000) {
             let mut out = Vec::new();
             let mut read = [0.0; 5];
-            let approach = Approach::Feed(Feed::PerMinute(1000.0));
+            let approach = Approach::Feed(Some(Feed::PerMinute(1000.0)));
             writer.motion(approach, &joints, 123.4567, &mut out).expect("printed");
             reader.read(&out, 123.4567, &mut read).expect("read");
             for (axis, half) in [half_mm, half_mm, half_mm, 0.0005, 0.0005].into_iter().enumerate() {
@@ -103,7 +103,7 @@ fn nanoseconds_a_block() {
     let mut ends = Vec::with_capacity(path.len());
     let start = std::time::Instant::now();
     for joints in &path {
-        writer.motion(Approach::Feed(Feed::PerMinute(1000.0)), joints, 0.0, &mut out).expect("printed");
+        writer.motion(Approach::Feed(Some(Feed::PerMinute(1000.0))), joints, 0.0, &mut out).expect("printed");
         ends.push(out.len());
     }
     let written = start.elapsed();

@@ -6,7 +6,7 @@ use mach_runtime::nc::dialect::{Dialect, LengthUnit, Trigger};
 use mach_runtime::nc::write_error::WriteError;
 use mach_runtime::nc::writer::{Values, Writer};
 
-const FEED: Approach = Approach::Feed(Feed::PerMinute(500.0));
+const FEED: Approach = Approach::Feed(Some(Feed::PerMinute(500.0)));
 
 /// A dialect without sequence numbers.
 fn plain() -> Dialect {
@@ -45,7 +45,7 @@ fn only_what_changes_is_printed() {
     assert_eq!(motion(&mut writer, FEED, [1.0, 2.5, 3.0004, 4.0, 5.0]), "Y2.5\n");
     assert_eq!(motion(&mut writer, FEED, [1.0, 2.5, 3.0002, 4.0, 365.0]), "");
     assert_eq!(motion(&mut writer, Approach::Rapid, [1.0, 2.5, 3.0, 4.0, 6.0]), "G0 C6.\n");
-    let faster = Approach::Feed(Feed::PerMinute(600.04));
+    let faster = Approach::Feed(Some(Feed::PerMinute(600.04)));
     assert_eq!(motion(&mut writer, faster, [1.0, 2.5, 3.0, 4.0, 7.0]), "G1 C7. F600.\n");
 }
 
@@ -55,7 +55,7 @@ fn the_kind_of_feed_comes_with_the_word_when_it_changes() {
     let head = command(&mut writer, Trigger::Start, &Values { program: "part-1", ..Values::default() });
     assert_eq!(head, "%\nOPART_1\nG21 G90 G94\n");
     assert_eq!(motion(&mut writer, FEED, [0.0; 5]), "G1 X0.0 Y0.0 Z0.0 A0.0 C0.0 F500.\n");
-    let turning = Approach::Feed(Feed::PerRevolution(0.125));
+    let turning = Approach::Feed(Some(Feed::PerRevolution(0.125)));
     assert_eq!(motion(&mut writer, turning, [1.0, 0.0, 0.0, 0.0, 0.0]), "X1. G95 F.125\n");
     assert_eq!(motion(&mut writer, FEED, [2.0, 0.0, 0.0, 0.0, 0.0]), "X2. G94 F500.\n");
 }
@@ -105,7 +105,7 @@ fn inches_program_zero_and_tool_length() {
     axes[3].zero = 10.0;
     let mut writer = Writer::new(Dialect { units: LengthUnit::Inch, ..plain() }, &axes);
     let mut out = Vec::new();
-    let feed = Approach::Feed(Feed::PerMinute(254.0));
+    let feed = Approach::Feed(Some(Feed::PerMinute(254.0)));
     writer.motion(feed, &[25.4, 0.0, 100.0 + 50.8 + 120.0, 30.0, 25.4], 120.0, &mut out).expect("printed");
     assert_eq!(out, b"G1 X1. Y0.0 Z2. A20. C25.4 G94 F10.\n");
 }
@@ -123,7 +123,7 @@ fn what_cannot_be_printed_is_an_error_and_prints_nothing() {
     let mut out = b"before".to_vec();
     let far = writer.motion(FEED, &[0.0, 12_345.0, 0.0, 0.0, 0.0], 0.0, &mut out);
     assert_eq!(far, Err(WriteError::TooLarge { word: "Y".into(), value: 12_345.0, limit: 10_000.0 }));
-    let slow = writer.motion(Approach::Feed(Feed::PerMinute(0.04)), &[0.0; 5], 0.0, &mut out);
+    let slow = writer.motion(Approach::Feed(Some(Feed::PerMinute(0.04))), &[0.0; 5], 0.0, &mut out);
     assert_eq!(slow, Err(WriteError::NoFeed { value: 0.04 }));
     let nameless = writer.command(Trigger::Start, &Values::default(), &mut out);
     assert_eq!(nameless, Err(WriteError::NoProgramName));
@@ -142,7 +142,7 @@ fn a_controller_without_feed_per_revolution_refuses_it() {
     let mut dialect = plain();
     dialect.codes.per_revolution = None;
     let mut writer = Writer::new(dialect, &axes());
-    let turning = Approach::Feed(Feed::PerRevolution(0.1));
+    let turning = Approach::Feed(Some(Feed::PerRevolution(0.1)));
     let error = writer.motion(turning, &[0.0; 5], 0.0, &mut Vec::new());
     assert_eq!(error, Err(WriteError::NoFeedPerRevolution));
 }

@@ -26,7 +26,7 @@ Put anything else into the blocks of other events.
 
 /// Reports a kind of motion whose block cannot be read back.
 pub(super) fn read_back(lowering: &mut Lowering<'_>, dialect: &Dialect) {
-    let feed = Approach::Feed(Feed::PerMinute(one_half_mm(dialect)));
+    let feed = Approach::Feed(Some(Feed::PerMinute(one_half_mm(dialect))));
     for (event, approach) in [(Event::Rapid, Approach::Rapid), (Event::Feed, feed)] {
         let Some(text) = unreadable(dialect, approach) else { continue };
         let said = lowering.last(|statement| match statement {

@@ -1,0 +1,124 @@
+//! The statements of a machine and of its `branch` block.
+
+use super::Printer;
+use super::expression::expression;
+use super::layout::{Line, Table};
+use crate::syntax::tree::{
+    AxisClause, BranchStatement, Expression, Link, MachineStatement, Preference, Spanned, Strictness, ToleranceKind,
+};
+
+impl Printer {
+    pub(super) fn machine_statement(&mut self, statement: &MachineStatement, behind: Option<&str>) {
+        match statement {
+            MachineStatement::Branch(body) => self.block("branch", body, behind, |printer, statement, behind| {
+                printer.line(branch(statement), behind);
+            }),
+            MachineStatement::Controller { name, body } => {
+                self.block(&format!("controller {}", name.value), body, behind, Self::controller_statement);
+            }
+            statement => self.line(line(statement), behind),
+        }
+    }
+}
+
+/// A statement without a block.
+fn line(statement: &MachineStatement) -> Line {
+    let text = match statement {
+        MachineStatement::Let { name, value } => {
+            let cells = vec![format!("let {}", name.value), format!("= {}", expression(value))];
+            return Line::row(Table::Parameters, cells);
+        }
+        MachineStatement::Linear { name, along, clauses } => {
+            let cells = vec![format!("linear {}", name.value), format!("along {}", expression(along))];
+            return Line::row(Table::LinearAxes, [cells, axis_clauses(clauses)].concat());
+        }
+        MachineStatement::Rotary { name, about, through, clauses } => {
+            let cells = vec![
+                format!("rotary {}", name.value),
+                format!("about {}", expression(about)),
+                through.as_ref().map_or(String::new(), |point| format!("through {}", expression(point))),
+            ];
+            return Line::row(Table::RotaryAxes, [cells, axis_clauses(clauses)].concat());
+        }
+        MachineStatement::Chain(links) => format!("chain {}", links.iter().map(link).collect::<Vec<_>>().join(" ")),
+        MachineStatement::Tool { along, at, length } => {
+            format!(
+                "tool along {}{}{}",
+                expression(along),
+                clause("at", at.as_ref()),
+                clause("length", length.as_ref())
+            )
+        }
+        MachineStatement::Zero(point) => format!("zero {}", expression(point)),
+        MachineStatement::Tolerance { kind, value } => {
+            let kind = match kind.value {
+                ToleranceKind::Axis => "axis",
+                ToleranceKind::Chord => "chord",
+            };
+            format!("tolerance {kind} {}", expression(value))
+        }
+        MachineStatement::Records(strictness) => format!("records unknown {}", word(strictness)),
+        MachineStatement::Branch(_) | MachineStatement::Controller { .. } => unreachable!("printed as a block"),
+    };
+    Line::plain(text)
+}
+
+/// ` KEYWORD EXPRESSION`, where it is said.
+pub(super) fn clause(keyword: &str, value: Option<&Expression>) -> String {
+    value.map_or(String::new(), |value| format!(" {keyword} {}", expression(value)))
+}
+
+/// Travel in one column and rapid in the next; where they stand the other way round, both in one.
+fn axis_clauses(clauses: &[Spanned<AxisClause>]) -> Vec<String> {
+    let texts: Vec<String> = clauses.iter().map(|clause| axis_clause(&clause.value)).collect();
+    match clauses {
+        [only] if matches!(only.value, AxisClause::Rapid(_)) => vec![String::new(), texts.concat()],
+        [first, ..] if matches!(first.value, AxisClause::Rapid(_)) => vec![texts.join("  ")],
+        _ => texts,
+    }
+}
+
+fn axis_clause(clause: &AxisClause) -> String {
+    match clause {
+        AxisClause::Travel(from, to) => format!("travel {} .. {}", expression(from), expression(to)),
+        AxisClause::Unlimited => "turns unlimited".to_owned(),
+        AxisClause::Rapid(speed) => format!("rapid {}", expression(speed)),
+    }
+}
+
+fn link(link: &Link) -> String {
+    match link {
+        Link::Workpiece(_) => "w".to_owned(),
+        Link::Bed(_) => "b".to_owned(),
+        Link::Tool(_) => "t".to_owned(),
+        Link::Axis { name, primed } => format!("{}{}", name.value, if *primed { "'" } else { "" }),
+    }
+}
+
+fn word(strictness: &Spanned<Strictness>) -> &'static str {
+    match strictness.value {
+        Strictness::Error => "error",
+        Strictness::Warn => "warn",
+    }
+}
+
+fn branch(statement: &BranchStatement) -> Line {
+    let row = |keyword: &str, preferences: &[Spanned<Preference>]| {
+        let preferences: Vec<String> = preferences.iter().map(preference).collect();
+        Line::row(Table::Branch, vec![keyword.to_owned(), preferences.join(", ")])
+    };
+    match statement {
+        BranchStatement::Start(preferences) => row("start", preferences),
+        BranchStatement::Then(preferences) => row("then", preferences),
+        BranchStatement::Reposition(strictness) => Line::plain(format!("reposition {}", word(strictness))),
+    }
+}
+
+fn preference(preference: &Spanned<Preference>) -> String {
+    match &preference.value {
+        Preference::Least(axis) => format!("least |{}|", axis.value),
+        Preference::Positive(axis) => format!("positive {}", axis.value),
+        Preference::Negative(axis) => format!("negative {}", axis.value),
+        Preference::Nearest => "nearest".to_owned(),
+    }
+}
