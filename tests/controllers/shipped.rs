@@ -45,8 +45,8 @@ fn program(dialect: Dialect) -> String {
     use Trigger::{
         CoolantFlood, CoolantOff, Dwell, End, Message, Operation, SpindleClockwise, SpindleOff, Start, Tool,
     };
-    let feed = Approach::Feed(Feed::PerMinute(1234.56));
-    let turning = Approach::Feed(Feed::PerRevolution(0.05));
+    let feed = Approach::Feed(Some(Feed::PerMinute(1234.56)));
+    let turning = Approach::Feed(Some(Feed::PerRevolution(0.05)));
     let command = |writer: &mut Writer, triggers: &[Trigger], out: &mut Vec<u8>| {
         for trigger in triggers {
             writer.command(*trigger, &values, out).expect("the command is printed");
