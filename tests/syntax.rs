@@ -102,6 +102,7 @@ fn a_message_says_what_was_found_and_what_would_have_fitted() {
         ("linear X along +x travel -355 . 355", "E0107 2:31 expected `..`, found `.`".to_owned()),
         ("linear X along +x [1, 2]", format!("E0107 2:19 expected {clauses}, found `[`")),
         ("let tool = 5", "E0107 2:5 expected a name, found `tool`".to_owned()),
+        ("let größe = 5", "E0107 2:7 expected `=`, found `öße`".to_owned()),
         ("let a 5", "E0107 2:7 expected `=`, found `5`".to_owned()),
         ("let a =", "E0107 2:8 expected a value, found the end of the line".to_owned()),
         ("let a = (1 + 2", "E0107 2:15 expected `)` or `,`, found the end of the line".to_owned()),

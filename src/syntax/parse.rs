@@ -13,8 +13,10 @@ use grammar::{MachParser, Pair, Rule};
 use trivia::Comments;
 
 pub mod controller;
+mod expected;
 pub mod expression;
 pub mod failure;
+mod found;
 mod grammar;
 pub mod machine;
 pub mod scan;
