@@ -99,18 +99,27 @@ impl<'t> Failures<'t> {
         self.push(diagnostic);
     }
 
-    /// Reports why `rule` does not take the text from `start` on.
-    pub(super) fn syntax(&mut self, rule: Rule, start: usize) {
+    /// Reports why `rule` does not take the text from `start` on. Where it fails only inside `next`, the start of
+    /// another broken statement, that one is to blame and will be reported itself.
+    pub(super) fn syntax(&mut self, rule: Rule, start: usize, next: Option<usize>) {
         if self.errors.len() >= MOST_ERRORS {
             return;
         }
         let (length, expected) = furthest_failure(rule, &self.text[start..]);
+        if next.is_some_and(|next| start + length > next) {
+            return;
+        }
         let found = Found::at(self.text, start + length);
-        let diagnostic =
-            if length == 0 { self.unknown(rule, &found) } else { self.unexpected(rule, &found, &expected) };
         let keywords: Vec<String> = expected.iter().filter_map(|rule| keyword(*rule)).collect();
         let clauses = CLAUSES.iter().filter(|_| length == 0).copied();
         let meant = found.word.and_then(|word| nearest(word, keywords.iter().map(String::as_str).chain(clauses)));
+        let diagnostic = match meant {
+            _ if length == 0 => self.unknown(rule, &found),
+            None if !expected.contains(&Rule::statement_word) => {
+                self.unexpected(rule, &found.or_line_end(self.text, start), &expected)
+            }
+            _ => self.unexpected(rule, &found, &expected),
+        };
         self.push(match meant {
             Some(meant) => diagnostic.suggest(Suggestion {
                 text: format!("did you mean `{meant}`?"),
@@ -140,6 +149,7 @@ impl<'t> Failures<'t> {
     }
 
     fn unexpected(&self, rule: Rule, found: &Found<'_>, expected: &[Rule]) -> Diagnostic {
+        let names = expected.contains(&Rule::name);
         let expected = list(&described(expected));
         let message = format!("expected {expected}, found {}", found.description);
         let diagnostic =
@@ -148,7 +158,7 @@ impl<'t> Failures<'t> {
             (Rule::line, _) if matches!(found.description.as_str(), "`{`" | "`}`") => {
                 diagnostic.note("a brace that is to be printed is written twice: `{{`, `}}`")
             }
-            (_, Some(word)) if MachParser::parse(Rule::name, word).is_err() => {
+            (_, Some(word)) if names && MachParser::parse(Rule::name, word).is_err() => {
                 diagnostic.note(format!("`{word}` is a word of the language and cannot be a name"))
             }
             _ => diagnostic,
@@ -185,6 +195,7 @@ fn keyword(rule: Rule) -> Option<String> {
 }
 
 /// What stands at a place.
+#[derive(Clone)]
 struct Found<'t> {
     span: Span,
     description: String,
@@ -207,15 +218,29 @@ impl<'t> Found<'t> {
         let word = (is_in_word(first) && !first.is_numeric()).then_some(found);
         Self { span: at..at + length, description: describe_found(found), word }
     }
+
+    /// What is missing at the end of a line is told there, not at the next line's beginning.
+    fn or_line_end(&self, text: &'t str, start: usize) -> Self {
+        let before = text[start..self.span.start].trim_end();
+        let end = start + before.len();
+        let last_line = before.rfind('\n').map_or(before, |newline| &before[newline..]);
+        let is_next_line = text[end..self.span.start].contains('\n') && !last_line.contains("//");
+        match is_next_line {
+            true => Self { span: end..end, description: END_OF_LINE.to_owned(), word: None },
+            false => self.clone(),
+        }
+    }
 }
 
 fn describe_found(found: &str) -> String {
     match found {
-        "\n" | "\r" => "the end of the line".to_owned(),
+        "\n" | "\r" => END_OF_LINE.to_owned(),
         long if long.chars().count() > 40 => format!("`{}…`", long.chars().take(40).collect::<String>()),
         short => format!("`{short}`"),
     }
 }
+
+const END_OF_LINE: &str = "the end of the line";
 
 /// What would have fitted, in words; that an expression might have gone on is said only when nothing else fits.
 fn described(expected: &[Rule]) -> Vec<String> {
