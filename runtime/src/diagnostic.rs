@@ -40,6 +40,13 @@ pub struct Place {
     pub end: usize,
 }
 
+impl Place {
+    /// A whole line, known by its number only: whoever has the file may fill in the text.
+    pub fn line(file: &str, line: u64) -> Self {
+        Self { file: file.to_owned(), line, column: 1, excerpt: String::new(), start: 0, end: 0 }
+    }
+}
+
 /// A place and what is to be said of it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Label {
@@ -74,7 +81,7 @@ pub struct Diagnostic {
     /// Facts that help to understand.
     pub notes: Vec<String>,
     /// A change that would mend it, where one is known.
-    pub suggestion: Option<Suggestion>,
+    pub suggestion: Option<Box<Suggestion>>,
 }
 
 impl Diagnostic {
@@ -109,7 +116,7 @@ impl Diagnostic {
     /// Adds the way out.
     #[must_use]
     pub fn suggest(mut self, suggestion: Suggestion) -> Self {
-        self.suggestion = Some(suggestion);
+        self.suggestion = Some(Box::new(suggestion));
         self
     }
 }

@@ -18,6 +18,29 @@ pub struct PoseBlock {
     pub axis: [Lane; 3],
 }
 
+impl PoseBlock {
+    /// All lanes zero: a block to be filled.
+    pub const ZERO: Self = Self { tip_mm: [[0.0; LANES]; 3], axis: [[0.0; LANES]; 3] };
+
+    /// Puts a pose into one lane.
+    pub fn set(&mut self, lane: usize, tip_mm: Vec3, axis: Vec3) {
+        for i in 0..3 {
+            self.tip_mm[i][lane] = tip_mm[i];
+            self.axis[i][lane] = axis[i];
+        }
+    }
+
+    /// The tip of one lane.
+    pub fn tip(&self, lane: usize) -> Vec3 {
+        self.tip_mm.map(|component| component[lane])
+    }
+
+    /// The tool axis of one lane.
+    pub fn axis(&self, lane: usize) -> Vec3 {
+        self.axis.map(|component| component[lane])
+    }
+}
+
 /// Joint values: `joints[a][l]` is axis `a` of lane `l`, in millimetres or degrees, machine coordinates.
 pub type JointBlock = Vec<Lane>;
 
@@ -26,11 +49,18 @@ pub type JointBlock = Vec<Lane>;
 pub struct SolutionBlock {
     /// `branches[b][a][l]`. Rotary values lie within one turn; whole turns are the branch choice's business.
     pub branches: Vec<JointBlock>,
-    /// How far inside the machine's reach the wanted direction lies, in radians (about half the angle to the edge of
-    /// the reachable cone). Negative: out of reach by so much; the candidate is then the closest the machine can do.
+    /// Zero where the wanted direction is within reach. Else minus the angle to the nearest direction that is, in
+    /// radians (to first order); the candidates are then about the closest that the machine can do.
     pub reach_rad: Lane,
     /// The sine of the angle between the wanted direction and the pole. At zero the first rotary is free.
     pub pole_sine: Lane,
+}
+
+impl SolutionBlock {
+    /// A block to be filled.
+    pub fn new(branches: usize, axes: usize) -> Self {
+        Self { branches: vec![vec![[0.0; LANES]; axes]; branches], reach_rad: [0.0; LANES], pole_sine: [0.0; LANES] }
+    }
 }
 
 /// A machine's forward chain and its inverse. `tool_length_mm` is the gauge length.

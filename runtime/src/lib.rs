@@ -5,9 +5,16 @@
 //! compared with the CL (`certificate`). The runtime never parses a `.mach` file: a machine reaches it
 //! as the tables of `machine` and `nc::dialect` and as an implementation of `kinematics::Kinematics`.
 
+pub mod branch;
+pub mod certificate;
 pub mod cl;
 pub mod diagnostic;
 pub mod kinematics;
 pub mod machine;
 pub mod nc;
+pub mod path;
+pub mod place;
+pub mod post;
+pub mod readback;
+pub mod render;
 pub mod vector;

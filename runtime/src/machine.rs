@@ -104,6 +104,8 @@ pub struct Machine {
     pub chord_tolerance_mm: f64,
     /// What a CL record that nobody knows does.
     pub unknown_records: Strictness,
+    /// The program zero in the machine frame with every axis at zero, in millimetres.
+    pub zero_mm: [f64; 3],
     /// The tool's gauge length, in millimetres: what the control's length compensation takes into account.
     pub tool_length_mm: f64,
 }

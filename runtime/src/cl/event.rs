@@ -8,8 +8,8 @@ use crate::vector::Vec3;
 pub enum Approach {
     /// In rapid traverse.
     Rapid,
-    /// At feed.
-    Feed(Feed),
+    /// At feed; `None` while the CL has given no feed rate.
+    Feed(Option<Feed>),
 }
 
 /// A feed rate, already in metric units.

@@ -81,7 +81,7 @@ pub enum Piece {
     },
     /// The words of all axes that change.
     Axes,
-    /// The feed word, when it changes.
+    /// The feed word when it changes, behind the code of its kind when that changes.
     Feed,
     /// A value of the program's, printed by the picture or plainly.
     Value(Value, Option<Picture>),
@@ -157,6 +157,57 @@ pub enum Trigger {
     Feed,
 }
 
+impl Trigger {
+    /// All of them, in their order.
+    pub const ALL: [Self; 17] = [
+        Self::Start,
+        Self::End,
+        Self::Operation,
+        Self::Tool,
+        Self::SpindleClockwise,
+        Self::SpindleCounterclockwise,
+        Self::SpindleOff,
+        Self::CoolantFlood,
+        Self::CoolantMist,
+        Self::CoolantThrough,
+        Self::CoolantOff,
+        Self::Stop,
+        Self::OptionalStop,
+        Self::Dwell,
+        Self::Message,
+        Self::Rapid,
+        Self::Feed,
+    ];
+
+    /// As a controller's description names it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Start => "start",
+            Self::End => "end",
+            Self::Operation => "operation",
+            Self::Tool => "tool",
+            Self::SpindleClockwise => "spindle clockwise",
+            Self::SpindleCounterclockwise => "spindle counterclockwise",
+            Self::SpindleOff => "spindle off",
+            Self::CoolantFlood => "coolant flood",
+            Self::CoolantMist => "coolant mist",
+            Self::CoolantThrough => "coolant through",
+            Self::CoolantOff => "coolant off",
+            Self::Stop => "stop",
+            Self::OptionalStop => "optional stop",
+            Self::Dwell => "dwell",
+            Self::Message => "message",
+            Self::Rapid => "rapid",
+            Self::Feed => "feed",
+        }
+    }
+
+    /// Whether a controller may have no block for it, because nothing the CL asks for gets lost.
+    pub fn may_lack_a_block(self) -> bool {
+        matches!(self, Self::Start | Self::End | Self::Operation)
+    }
+}
+
 /// One line of a block.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Line {
@@ -194,8 +245,10 @@ pub struct Dialect {
     pub codes: Codes,
     /// The words of the machine's axes, in the machine's order.
     pub axes: Vec<Word>,
-    /// The feed word.
+    /// The feed word, in millimetres or inches a minute.
     pub feed: Word,
+    /// The feed word in millimetres or inches a revolution; the same word where the controller makes no difference.
+    pub feed_per_revolution: Word,
     /// Codes that replace each other.
     pub modal_groups: Vec<Vec<String>>,
     /// At most one block a trigger.

@@ -1,0 +1,126 @@
+//! One solution of the inverse, with whole turns chosen and the travel looked at.
+
+use crate::machine::{Axis, Motion, Travel};
+
+/// How far beyond its travel an axis may stand, in mm or degrees, before it counts as beyond: far above what rounding
+/// does to a joint on its limit, far below what any program prints.
+const TRAVEL_TOLERANCE: f64 = 1e-6;
+
+/// A solution of the inverse at a point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Candidate {
+    /// In machine coordinates, millimetres and degrees, in the machine's order.
+    pub joints: Vec<f64>,
+    /// The axis that is farthest beyond its travel, if one is.
+    pub obstacle: Option<Obstacle>,
+    /// Each rotary's value with the whole turns that the travel would not let it have.
+    ideal: Vec<f64>,
+}
+
+/// An axis beyond its travel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Obstacle {
+    /// Its index.
+    pub axis: usize,
+    /// By how much, in millimetres or degrees.
+    pub beyond: f64,
+}
+
+impl Candidate {
+    pub(super) fn new(axes: usize) -> Self {
+        Self { joints: vec![0.0; axes], obstacle: None, ideal: vec![0.0; axes] }
+    }
+
+    /// Turns the rotaries to where they are nearest to the previous position (to zero at the start) within their travel,
+    /// and looks for obstacles.
+    pub(super) fn settle(&mut self, axes: &[Axis], previous: Option<&[f64]>) {
+        self.obstacle = None;
+        for (index, axis) in axes.iter().enumerate() {
+            let value = self.joints[index];
+            if axis.motion == Motion::Rotary {
+                let reference = previous.map_or(0.0, |previous| previous[index]);
+                (self.ideal[index], self.joints[index]) = turns(value, reference, axis.travel);
+            } else {
+                self.ideal[index] = value;
+            }
+            let beyond = beyond(self.joints[index], axis.travel);
+            if beyond > self.obstacle.map_or(TRAVEL_TOLERANCE, |obstacle| obstacle.beyond) {
+                self.obstacle = Some(Obstacle { axis: index, beyond });
+            }
+        }
+    }
+
+    /// The values it would have without any limit of the travel.
+    pub(super) fn ideal(&self) -> &[f64] {
+        &self.ideal
+    }
+
+    /// Whether the travel had a say.
+    pub(super) fn is_limited(&self) -> bool {
+        self.obstacle.is_some() || self.ideal != self.joints
+    }
+
+    /// Whether the travel asked for other whole turns.
+    pub(super) fn is_turned(&self, axes: &[Axis]) -> bool {
+        (0..axes.len()).any(|index| axes[index].motion == Motion::Rotary && self.ideal[index] != self.joints[index])
+    }
+}
+
+/// How far a value is outside of a travel.
+fn beyond(value: f64, travel: Travel) -> f64 {
+    (travel.lower - value).max(value - travel.upper).max(0.0)
+}
+
+/// The value with the whole turns nearest to the reference: at will, and within the travel.
+fn turns(value: f64, reference: f64, travel: Travel) -> (f64, f64) {
+    // The half turn is written as positive.
+    let value = if value == -180.0 { 180.0 } else { value };
+    let nearest = round_to_zero((reference - value) / 360.0);
+    let ideal = value + 360.0 * nearest;
+    if beyond(ideal, travel) == 0.0 {
+        return (ideal, ideal);
+    }
+    let fewest = ((travel.lower - TRAVEL_TOLERANCE - value) / 360.0).ceil();
+    let most = ((travel.upper + TRAVEL_TOLERANCE - value) / 360.0).floor();
+    let within = if fewest <= most { nearest.clamp(fewest, most) } else { least_beyond(value, nearest, travel) };
+    (ideal, value + 360.0 * within)
+}
+
+/// The whole turns that come nearest to the travel.
+fn least_beyond(value: f64, nearest: f64, travel: Travel) -> f64 {
+    let below = ((travel.lower - value) / 360.0).floor();
+    let above = ((travel.upper - value) / 360.0).ceil();
+    [nearest, below, above]
+        .into_iter()
+        .filter(|turns| turns.is_finite())
+        .min_by(|a, b| beyond(value + 360.0 * a, travel).total_cmp(&beyond(value + 360.0 * b, travel)))
+        .expect("the nearest is finite")
+}
+
+/// The nearest whole number, the one nearer to zero of two equally near.
+fn round_to_zero(x: f64) -> f64 {
+    (x.abs() - 0.5).ceil().copysign(x) + 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn whole_turns_come_near_the_reference_within_the_travel() {
+        let travel = Travel { lower: -360.0, upper: 360.0 };
+        assert_eq!(turns(-170.0, 170.0, travel), (190.0, 190.0));
+        assert_eq!(turns(10.0, 359.0, travel), (370.0, 10.0));
+        assert_eq!(turns(180.0, 0.0, travel), (180.0, 180.0));
+        assert_eq!(turns(-180.0, 0.0, travel), (180.0, 180.0));
+        assert_eq!(turns(-1e-15, 0.0, Travel { lower: 0.0, upper: 180.0 }), (-1e-15, -1e-15));
+        assert_eq!(turns(5.0, 3600.0, Travel::UNLIMITED), (3605.0, 3605.0));
+    }
+
+    #[test]
+    fn a_value_that_no_turn_brings_into_the_travel_is_brought_nearest() {
+        let travel = Travel { lower: -30.0, upper: 120.0 };
+        assert_eq!(turns(-170.0, 0.0, travel).1, 190.0);
+        assert_eq!(turns(-31.0, 0.0, travel).1, -31.0);
+    }
+}

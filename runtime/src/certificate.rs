@@ -1,0 +1,140 @@
+//! The certificate: how close the printed program is to the CL, and how close the machine comes to its limits.
+
+use crate::machine::{Axis, Motion};
+use std::fmt;
+
+/// The largest of something, and the CL line it was met at.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Extreme {
+    /// Its value.
+    pub value: f64,
+    /// The line, from 1; 0 when nothing was met.
+    pub line: u64,
+}
+
+impl Extreme {
+    #[inline]
+    fn meet(&mut self, value: f64, line: u64) {
+        if value > self.value || self.line == 0 {
+            *self = Self { value, line };
+        }
+    }
+}
+
+/// The range an axis went through, as printed: millimetres or degrees, machine coordinates.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Range {
+    /// The axis.
+    pub axis: Axis,
+    /// Minus the least value, so that both ends are largest values.
+    minus_least: Extreme,
+    greatest: Extreme,
+}
+
+impl Range {
+    /// The least value.
+    pub fn least(&self) -> Extreme {
+        Extreme { value: 0.0 - self.minus_least.value, ..self.minus_least }
+    }
+
+    /// The greatest value.
+    pub fn greatest(&self) -> Extreme {
+        self.greatest
+    }
+
+    /// From the lower travel limit to the least value; infinite without a limit.
+    pub fn lower_margin(&self) -> f64 {
+        self.least().value - self.axis.travel.lower
+    }
+
+    /// From the greatest value to the upper travel limit; infinite without a limit.
+    pub fn upper_margin(&self) -> f64 {
+        self.axis.travel.upper - self.greatest.value
+    }
+}
+
+/// What was found when the printed program was read back and compared with the CL.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Certificate {
+    /// Points of the toolpath, those of arcs included.
+    pub points: u64,
+    /// Motion blocks printed; a point at which no word changes prints none.
+    pub blocks: u64,
+    /// The largest distance of the tip from the CL point, in millimetres.
+    pub tip_mm: Extreme,
+    /// The largest angle of the tool axis from the CL's, in radians.
+    pub axis_rad: Extreme,
+    /// The largest sum of rotary motion in one block at feed, in degrees.
+    pub rotary_step_deg: Extreme,
+    /// Of each axis.
+    pub ranges: Vec<Range>,
+}
+
+impl Certificate {
+    /// Nothing compared yet.
+    pub fn new(axes: &[Axis]) -> Self {
+        let range =
+            |axis: &Axis| Range { axis: axis.clone(), minus_least: Extreme::default(), greatest: Extreme::default() };
+        Self {
+            points: 0,
+            blocks: 0,
+            tip_mm: Extreme::default(),
+            axis_rad: Extreme::default(),
+            rotary_step_deg: Extreme::default(),
+            ranges: axes.iter().map(range).collect(),
+        }
+    }
+
+    /// A point that was printed (perhaps as nothing), with its errors as read back.
+    pub(crate) fn compare(&mut self, line: u64, tip_mm: f64, axis_rad: f64) {
+        self.points += 1;
+        self.tip_mm.meet(tip_mm, line);
+        self.axis_rad.meet(axis_rad, line);
+    }
+
+    /// The joints of a point.
+    pub(crate) fn visit(&mut self, line: u64, joints: &[f64]) {
+        for (range, &joint) in self.ranges.iter_mut().zip(joints) {
+            range.minus_least.meet(-joint, line);
+            range.greatest.meet(joint, line);
+        }
+    }
+
+    /// The rotary motion of a block at feed.
+    pub(crate) fn step(&mut self, line: u64, rotary_deg: f64) {
+        self.rotary_step_deg.meet(rotary_deg, line);
+    }
+}
+
+impl fmt::Display for Certificate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "certificate: the program was read back and compared with the CL")?;
+        writeln!(f, "  {:<22}{} points, {} motion blocks", "toolpath", self.points, self.blocks)?;
+        let worst = |f: &mut fmt::Formatter<'_>, title: &str, value: String, extreme: &Extreme| {
+            writeln!(f, "  {title:<22}{value} at line {}", extreme.line)
+        };
+        worst(f, "largest tip error", format!("{:.6} mm", self.tip_mm.value), &self.tip_mm)?;
+        worst(f, "largest axis error", format!("{:.6} deg", self.axis_rad.value.to_degrees()), &self.axis_rad)?;
+        if self.rotary_step_deg.line != 0 {
+            let step = format!("{:.3} deg", self.rotary_step_deg.value);
+            worst(f, "largest rotary step", step, &self.rotary_step_deg)?;
+        }
+        self.ranges.iter().try_for_each(|range| writeln!(f, "  {range}"))
+    }
+}
+
+impl fmt::Display for Range {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let unit = if self.axis.motion == Motion::Linear { "mm" } else { "deg" };
+        let span = format!("{:.3} .. {:.3} {unit}", self.least().value, self.greatest.value);
+        write!(f, "{:<22}{span:<30}", format!("{} goes", self.axis.name))?;
+        match (self.lower_margin().is_finite(), self.upper_margin().is_finite()) {
+            (false, false) => write!(f, "no limit"),
+            (true, false) => write!(f, "{:.3} {unit} to the lower limit", self.lower_margin()),
+            (false, true) => write!(f, "{:.3} {unit} to the upper limit", self.upper_margin()),
+            (true, true) => {
+                write!(f, "{:.3} and {:.3} {unit} to the limits", self.lower_margin(), self.upper_margin())
+            }
+        }
+    }
+}

@@ -1,0 +1,325 @@
+//! The reader: records in, points and commands out, one after the other.
+
+use std::collections::BTreeSet;
+use std::io::{self, Read};
+
+use crate::cl::arc::ArcPoints;
+use crate::cl::event::{Command, Point};
+use crate::cl::motion::{Motion, Moved, unit_mm};
+use crate::cl::plain::plain_goto;
+use crate::cl::record::{Outcome, Record};
+use crate::cl::setting::{self, FeedUnit, MIXED_UNITS};
+use crate::cl::source::Source;
+use crate::cl::words::{Meaning, meaning};
+use crate::diagnostic::{Code, Diagnostic, Place, Severity};
+use crate::machine::Strictness;
+use crate::nc::dialect::LengthUnit;
+
+/// After so many errors, and after so many warnings, no more of them are told.
+const MOST_OF_A_KIND: u32 = 20;
+
+/// The file ends too early.
+pub(super) static CUT_OPERATION: Code = Code {
+    id: "E1004",
+    title: "the file ends inside an operation",
+    explanation: "\
+Every `TOOL PATH/…` is closed by an `END-OF-PATH`. The last one is not: the file was cut off, perhaps while it was being
+written or copied. Export it again.
+",
+};
+
+/// Nothing to do.
+pub(super) static NO_MOTION: Code = Code {
+    id: "E1005",
+    title: "the file has no motion",
+    explanation: "\
+There is no GOTO in the file: it is empty, or it is not the CL file that was meant.
+",
+};
+
+/// The end of a long list.
+pub(super) static TOO_MANY: Code = Code {
+    id: "E1006",
+    title: "too many errors",
+    explanation: "\
+After 20 errors reading stops: more of them would help nobody. Often the first one is the cause of the others.
+",
+};
+
+/// The end of a long list of warnings.
+pub(super) static MANY_WARNINGS: Code = Code {
+    id: "W1006",
+    title: "more warnings are left out",
+    explanation: "\
+After 20 warnings about one file no more are told.
+",
+};
+
+/// What the file does not say itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ReaderOptions {
+    /// The unit of lengths where the file has no UNITS record.
+    pub length_unit: LengthUnit,
+    /// How far a segment may leave an arc, in millimetres.
+    pub chord_tolerance_mm: f64,
+    /// What a record that nobody knows does.
+    pub unknown_records: Strictness,
+}
+
+impl Default for ReaderOptions {
+    /// Millimetres, arcs to 0.01 mm, unknown records refused.
+    fn default() -> Self {
+        Self { length_unit: LengthUnit::Millimetre, chord_tolerance_mm: 0.01, unknown_records: Strictness::Error }
+    }
+}
+
+/// What comes after the points of one call.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Next {
+    /// As many points as were asked for; there may be more.
+    Full,
+    /// `FROM/`: where the tool stands; no motion.
+    From(Point),
+    /// A command, with the place it stands at.
+    Command(Command, Place),
+    /// A mistake or a warning. After an error, reading goes on so that further ones are found.
+    Diagnostic(Diagnostic),
+    /// The end of the file.
+    End,
+}
+
+/// Reads CL text as a stream: memory does not grow with the file.
+#[derive(Debug)]
+pub struct Reader<R> {
+    source: Source<R>,
+    record: Record,
+    motion: Motion,
+    options: ReaderOptions,
+    feed_unit: FeedUnit,
+    has_units: bool,
+    /// The rest of an arc, and the point it ends in.
+    arc: Option<(ArcPoints, Point)>,
+    /// Where the operation that is under way began.
+    operation: Option<Place>,
+    any_motion: bool,
+    errors: u32,
+    warnings: u32,
+    /// What has been warned of, where once is enough.
+    warned: BTreeSet<(&'static str, String)>,
+    /// Diagnostics for the end of the file, last one first; there once the end is reached.
+    last_words: Option<Vec<Diagnostic>>,
+}
+
+impl<R: Read> Reader<R> {
+    /// A reader of the file that the user named so.
+    pub fn new(file_name: &str, input: R, options: ReaderOptions) -> Self {
+        Self {
+            source: Source::new(input),
+            record: Record::new(file_name),
+            motion: Motion::new(options.length_unit, options.chord_tolerance_mm.max(1e-6)),
+            options,
+            feed_unit: FeedUnit::per_minute(options.length_unit),
+            has_units: false,
+            arc: None,
+            operation: None,
+            any_motion: false,
+            errors: 0,
+            warnings: 0,
+            warned: BTreeSet::new(),
+            last_words: None,
+        }
+    }
+
+    /// Appends up to `limit` points to `points`, and says what comes after them.
+    ///
+    /// # Errors
+    /// When the input cannot be read.
+    pub fn next_into(&mut self, points: &mut Vec<Point>, limit: usize) -> io::Result<Next> {
+        let full = points.len() + limit;
+        loop {
+            if let Some(last_words) = &mut self.last_words {
+                return Ok(last_words.pop().map_or(Next::End, Next::Diagnostic));
+            }
+            self.arc_points(points, full);
+            self.plain_gotos(points, full)?;
+            if points.len() >= full {
+                return Ok(Next::Full);
+            }
+            let found = match self.record.read(&mut self.source)? {
+                Outcome::Record => self.carry_out(points),
+                Outcome::Fault(error) => Err(error),
+                Outcome::Stop(error) => {
+                    self.last_words = Some(Vec::new());
+                    Err(error)
+                }
+                Outcome::End => {
+                    self.last_words = Some(self.at_end());
+                    Ok(None)
+                }
+            };
+            match found {
+                Ok(None) => {}
+                Ok(Some(next)) => return Ok(next),
+                Err(diagnostic) => {
+                    if let Some(diagnostic) = self.counted(diagnostic) {
+                        return Ok(Next::Diagnostic(diagnostic));
+                    }
+                }
+            }
+        }
+    }
+
+    fn arc_points(&mut self, points: &mut Vec<Point>, full: usize) {
+        let Some((arc, last)) = &mut self.arc else { return };
+        while points.len() < full {
+            let Some(tip_mm) = arc.next() else {
+                self.arc = None;
+                return;
+            };
+            points.push(Point { tip_mm, ..*last });
+        }
+    }
+
+    /// The bulk of every file: lines that hold a GOTO and nothing else, taken without a copy.
+    fn plain_gotos(&mut self, points: &mut Vec<Point>, full: usize) -> io::Result<()> {
+        if self.motion.has_circle() {
+            return Ok(());
+        }
+        while points.len() < full {
+            let Some((tip, axis, length)) = plain_goto(self.source.whole_lines()?) else { break };
+            let Some(point) = self.motion.plain_goto(tip, axis, self.source.line() + 1) else { break };
+            self.source.take_line(length);
+            points.push(point);
+            self.any_motion = true;
+        }
+        Ok(())
+    }
+
+    /// Does what the record says. An error may be a warning: then the record has been carried out all the same.
+    fn carry_out(&mut self, points: &mut Vec<Point>) -> Result<Option<Next>, Diagnostic> {
+        let meaning = meaning(&self.record, self.options.unknown_records)?;
+        if self.motion.has_circle() && !matches!(meaning, Meaning::Goto | Meaning::Skipped) {
+            self.motion.take_circle().map_or(Ok(()), Err)?;
+        }
+        let record = &self.record;
+        let moved = match meaning {
+            Meaning::Goto => self.motion.goto(record)?,
+            Meaning::Godlta => self.motion.godlta(record)?,
+            Meaning::Gohome => self.motion.gohome(record)?,
+            Meaning::From => return self.motion.from(record).map(|point| Some(Next::From(point))),
+            _ => {
+                self.set(meaning)?;
+                let command = self.command(meaning)?;
+                return Ok(command.map(|command| Next::Command(command, self.record.place())));
+            }
+        };
+        self.any_motion = true;
+        match moved {
+            Moved::To(point) => points.push(point),
+            Moved::Along(arc, last) => self.arc = Some((arc, last)),
+        }
+        Ok(None)
+    }
+
+    /// What a record changes for those that follow it.
+    fn set(&mut self, meaning: Meaning) -> Result<(), Diagnostic> {
+        match meaning {
+            Meaning::Circle => self.motion.circle(&self.record),
+            Meaning::Frame => self.motion.frame(&self.record),
+            Meaning::Feed => self.feed(),
+            Meaning::Units => self.units(),
+            Meaning::Rapid => {
+                self.motion.rapid = true;
+                Ok(())
+            }
+            Meaning::Operation => {
+                self.operation = Some(self.record.place());
+                Ok(())
+            }
+            Meaning::EndOfPath => {
+                self.operation = None;
+                Ok(())
+            }
+            Meaning::Insert => {
+                self.motion.once.inserted(&self.record);
+                Ok(())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// What a record hands on.
+    fn command(&self, meaning: Meaning) -> Result<Option<Command>, Diagnostic> {
+        let record = &self.record;
+        Ok(Some(match meaning {
+            Meaning::Operation => setting::operation(record),
+            Meaning::Spindle => setting::spindle(record)?,
+            Meaning::Coolant => setting::coolant(record)?,
+            Meaning::Load => setting::load(record)?,
+            Meaning::Dwell => setting::dwell(record)?,
+            Meaning::Stop => Command::Stop,
+            Meaning::OptionalStop => Command::OptionalStop,
+            Meaning::Message | Meaning::Insert => Command::Message(setting::message(record)),
+            _ => return Ok(None),
+        }))
+    }
+
+    fn feed(&mut self) -> Result<(), Diagnostic> {
+        let (feed, unit) = setting::feed(&self.record, self.feed_unit)?;
+        self.motion.feed = Some(feed);
+        self.feed_unit = unit;
+        let mixed = unit.is_inch() && !self.has_units && self.options.length_unit == LengthUnit::Millimetre;
+        if !mixed {
+            return Ok(());
+        }
+        let message = "the feed is in inches, and lengths are taken as millimetres";
+        let warning = Diagnostic::warning(&MIXED_UNITS, message).at(self.record.place_of_all(), "a feed in inches");
+        Err(warning.note("if the file's lengths are inches, give `--cl-units inch`"))
+    }
+
+    fn units(&mut self) -> Result<(), Diagnostic> {
+        let unit = setting::units(&self.record)?;
+        self.motion.unit_mm = unit_mm(unit);
+        self.feed_unit = FeedUnit::per_minute(unit);
+        self.has_units = true;
+        Ok(())
+    }
+
+    /// The diagnostic, if it is to be told: warnings of a kind once, and neither kind for ever.
+    fn counted(&mut self, diagnostic: Diagnostic) -> Option<Diagnostic> {
+        if diagnostic.severity == Severity::Error {
+            self.errors += 1;
+            if self.errors >= MOST_OF_A_KIND {
+                let place = diagnostic.labels.first().map(|label| label.place.clone());
+                let end = Diagnostic::error(&TOO_MANY, "too many errors: the rest of the file has not been read");
+                self.last_words = Some(vec![place.into_iter().fold(end, |end, place| end.at(place, ""))]);
+            }
+            return Some(diagnostic);
+        }
+        let word = if diagnostic.code.id == MIXED_UNITS.id { String::new() } else { self.record.word() };
+        if self.warnings > MOST_OF_A_KIND || !self.warned.insert((diagnostic.code.id, word)) {
+            return None;
+        }
+        self.warnings += 1;
+        let last = || Diagnostic::warning(&MANY_WARNINGS, "more warnings about this file are left out");
+        Some(if self.warnings > MOST_OF_A_KIND { last() } else { diagnostic })
+    }
+
+    /// What is to be said at the end of the file, last one first.
+    fn at_end(&mut self) -> Vec<Diagnostic> {
+        let mut found = Vec::new();
+        found.extend(self.motion.take_circle());
+        if let Some(place) = self.operation.take() {
+            let message = format!("the file ends at line {} inside an operation", self.source.line());
+            let error = Diagnostic::error(&CUT_OPERATION, message);
+            found.push(error.at(place, "this operation has no END-OF-PATH"));
+        }
+        if !self.any_motion && self.errors == 0 && found.is_empty() {
+            let error = Diagnostic::error(&NO_MOTION, "there is no motion in this file");
+            found.push(error.at(self.record.place(), "the file ends here"));
+        }
+        found.extend(self.motion.once.take());
+        found.reverse();
+        found
+    }
+}

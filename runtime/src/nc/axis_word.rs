@@ -1,0 +1,60 @@
+//! The word of one axis: from a joint value to the whole units that are printed.
+
+use super::dialect::{LengthUnit, Word};
+use super::write_error::WriteError;
+use crate::machine::{Axis, Motion, Written};
+
+/// How an axis' joint value becomes the number in its word.
+#[derive(Debug)]
+pub(super) struct AxisWord {
+    word: Word,
+    zero: f64,
+    length_share: f64,
+    /// Words' units in a millimetre or a degree.
+    scale: f64,
+    /// The least units written, and the units of a turn.
+    turn: Option<(i64, i64)>,
+}
+
+impl AxisWord {
+    pub(super) fn new(word: &Word, axis: &Axis, units: LengthUnit) -> Self {
+        let scale = match (axis.motion, units) {
+            (Motion::Linear, LengthUnit::Inch) => 1.0 / 25.4,
+            _ => 1.0,
+        };
+        let turn = match axis.written {
+            Written::Wrapped { from_deg } if axis.motion == Motion::Rotary => {
+                let from = word.picture.unbounded_units(from_deg).unwrap_or(0);
+                Some((from, 360 * word.picture.units_per_one()))
+            }
+            _ => None,
+        };
+        Self { word: word.clone(), zero: axis.zero, length_share: axis.length_share, scale, turn }
+    }
+
+    /// The units to print for a joint value in machine coordinates. A turn is taken off after rounding, so that what
+    /// rounds to 360 degrees is written as 0.
+    #[inline]
+    pub(super) fn units(&self, joint: f64, tool_length_mm: f64) -> Result<i64, WriteError> {
+        let value = (joint - self.zero - self.length_share * tool_length_mm) * self.scale;
+        let picture = &self.word.picture;
+        picture
+            .unbounded_units(value)
+            .map(|units| match self.turn {
+                Some((from, turn)) if !(from..from + turn).contains(&units) => from + (units - from).rem_euclid(turn),
+                _ => units,
+            })
+            .and_then(|units| picture.fits(units))
+            .ok_or_else(|| WriteError::too_large(&self.word, value))
+    }
+
+    /// Prints the word.
+    #[inline]
+    pub(super) fn print(&self, units: i64, out: &mut Vec<u8>) {
+        match self.word.address.as_bytes() {
+            [letter] => out.push(*letter),
+            address => out.extend_from_slice(address),
+        }
+        self.word.picture.print(units, out);
+    }
+}

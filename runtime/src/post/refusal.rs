@@ -1,0 +1,156 @@
+//! Points that the machine cannot go to, as diagnostics.
+
+use super::{Job, is_reposition, severity};
+use crate::branch::{Choice, rotary_travel_deg};
+use crate::diagnostic::{Code, Diagnostic, Place, Severity};
+use crate::machine::{Axis, Motion};
+use crate::path::Solved;
+
+/// E1101.
+pub static OUT_OF_REACH: Code = Code {
+    id: "E1101",
+    title: "the tool cannot be turned into this direction",
+    explanation: "\
+The machine's rotary axes cannot turn the tool, or the workpiece under it, so that the tool axis has the direction that
+the CL asks for. `machc show MACHINE` prints the cone of directions that it can reach.
+
+A three-axis machine reaches one direction only, a four-axis machine those of a cone. A nutating head or table reaches
+a cone about its first rotary axis.
+
+Turn the workpiece or use another machine. If the CL is only rounded too coarsely, widen the tolerance:
+
+    tolerance axis 0.01 deg",
+};
+
+/// E1102.
+pub static OUT_OF_TRAVEL: Code = Code {
+    id: "E1102",
+    title: "the point is out of the machine's travel",
+    explanation: "\
+The tool can be turned into the wanted direction, but every way of doing so takes an axis beyond its travel. The message
+names the axis of the solution that is least beyond.
+
+Move the workpiece (the program zero, `zero (x, y, z)`), check the tool length, or check the `travel` of the axis in the
+machine file.",
+};
+
+/// E1103.
+pub static REPOSITION: Code = Code {
+    id: "E1103",
+    title: "the travel forces a reposition in the middle of a cut",
+    explanation: "\
+To go on within the travel of its axes the machine would have to turn back by whole turns, or change to the other
+solution of its rotary axes, between two points of a cut. The tool would be in the workpiece all the while.
+
+Start the operation at another angle (`branch { start … }`), split it where the tool may retract, or, if the motion is
+known to be harmless, let it pass with a warning:
+
+    branch {
+        reposition warn
+    }",
+};
+
+/// E1104.
+pub static SINGULAR: Code = Code {
+    id: "E1104",
+    title: "the linear axes cannot hold the tip at this angle",
+    explanation:
+        "\
+A rotary axis stands between the linear axes, and at this angle it has turned them so that they no longer span space: no
+motion of the linear axes puts the tip where it should be. `machc show MACHINE` tells the chain. Use another direction.",
+};
+
+/// E1105.
+pub static TOO_MANY_ERRORS: Code = Code {
+    id: "E1105",
+    title: "too many errors",
+    explanation: "After 20 errors in one CL file the post gives up. Mend the first ones and post again.",
+};
+
+/// W1103.
+pub static REPOSITION_WARNING: Code = Code {
+    id: "W1103",
+    title: "the travel forces a reposition in the middle of a cut",
+    explanation: "\
+The machine turns back by whole turns, or changes to the other solution of its rotary axes, between two points of a cut,
+because its travel ends. The machine file lets it pass (`reposition warn`); look at the place before you run the program.",
+};
+
+/// W1104.
+pub static NO_FEED_RATE: Code = Code {
+    id: "W1104",
+    title: "a motion at feed without a feed rate",
+    explanation: "\
+The CL moves at feed before it has given any FEDRAT. The blocks are written without a feed word, and most controls stop
+there with an alarm. Give the feed rate in the CAM system.",
+};
+
+/// Why a point cannot be posted, if it cannot.
+pub(super) fn of(job: Job<'_>, solved: &Solved<'_>) -> Option<Diagnostic> {
+    let place = Place::line(job.file, solved.point.line);
+    match solved.choice {
+        Choice::Candidate { .. } => None,
+        Choice::OutOfReach(angle_rad) => Some(
+            Diagnostic::error(
+                &OUT_OF_REACH,
+                format!("`{}` cannot turn the tool into this direction", job.machine.name),
+            )
+            .at(place, format!("{:.3} deg out of reach", angle_rad.to_degrees()))
+            .note(direction(solved)),
+        ),
+        Choice::OutOfTravel(index) => Some(out_of_travel(job, solved, index, place)),
+        Choice::Singular => {
+            let message = format!("the linear axes of `{}` cannot hold the tip at this angle", job.machine.name);
+            Some(Diagnostic::error(&SINGULAR, message).at(place, "").note(direction(solved)))
+        }
+    }
+}
+
+fn out_of_travel(job: Job<'_>, solved: &Solved<'_>, index: usize, place: Place) -> Diagnostic {
+    let axes = &job.machine.axes;
+    let obstacles = solved.candidates.iter().filter_map(|candidate| {
+        let obstacle = candidate.obstacle?;
+        Some((candidate.joints[obstacle.axis], obstacle))
+    });
+    let notes: Vec<String> =
+        obstacles.map(|(value, obstacle)| beyond(&axes[obstacle.axis], value, obstacle.beyond)).collect();
+    let worst = solved.candidates[index].obstacle.expect("a candidate out of travel has an obstacle");
+    let axis = &axes[worst.axis];
+    let message = format!("the point is out of the travel of axis {}", axis.name);
+    let label = format!("{} beyond the travel of {}", amount(axis, worst.beyond), axis.name);
+    let note = format!("each solution is beyond a travel limit: {}", notes.join("; "));
+    Diagnostic::error(&OUT_OF_TRAVEL, message).at(place, label).note(note)
+}
+
+/// A point that can be posted, but only by a reposition in the cut.
+pub(super) fn of_step(job: Job<'_>, solved: &Solved<'_>, previous: Option<&[f64]>) -> Option<Diagnostic> {
+    let (previous, joints) = (previous?, solved.joints()?);
+    if !is_reposition(solved, Some(previous)) {
+        return None;
+    }
+    let turned = rotary_travel_deg(&job.machine.axes, previous, joints);
+    let text = "the travel forces a reposition in the middle of a cut";
+    let diagnostic = match severity(job.machine.branch.reposition) {
+        Severity::Error => Diagnostic::error(&REPOSITION, text),
+        Severity::Warning => Diagnostic::warning(&REPOSITION_WARNING, text),
+    };
+    let place = Place::line(job.file, solved.point.line);
+    Some(diagnostic.at(place, format!("the rotary axes turn by {turned:.3} deg to get here")))
+}
+
+fn direction(solved: &Solved<'_>) -> String {
+    let [i, j, k] = solved.point.axis;
+    format!("the wanted tool axis is ({i:.7}, {j:.7}, {k:.7})")
+}
+
+fn beyond(axis: &Axis, value: f64, by: f64) -> String {
+    let (value, by) = (amount(axis, value), amount(axis, by));
+    format!("{} would be at {value}, {by} beyond its travel {} .. {}", axis.name, axis.travel.lower, axis.travel.upper)
+}
+
+fn amount(axis: &Axis, value: f64) -> String {
+    match axis.motion {
+        Motion::Linear => format!("{value:.3} mm"),
+        Motion::Rotary => format!("{value:.3} deg"),
+    }
+}

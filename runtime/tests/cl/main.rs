@@ -1,0 +1,5 @@
+//! The CL reader from outside.
+
+mod bad;
+mod good;
+mod read;

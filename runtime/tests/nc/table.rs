@@ -1,0 +1,94 @@
+//! A five-axis table and a Fanuc-like dialect, as tables.
+
+use mach_runtime::machine::{Axis, Motion, Travel, Written};
+use mach_runtime::nc::dialect::{
+    Block, Codes, Dialect, LengthUnit, Line, Picture, Piece, Point, Sequence, Trigger, Value, Word,
+};
+
+pub(crate) fn axis(name: &str, motion: Motion) -> Axis {
+    Axis {
+        name: name.into(),
+        motion,
+        travel: Travel::UNLIMITED,
+        written: Written::Unwound,
+        zero: 0.0,
+        length_share: 0.0,
+        rapid_per_min: None,
+    }
+}
+
+/// X Y Z A C; C is written from 0 to 360.
+pub(crate) fn axes() -> Vec<Axis> {
+    let mut axes: Vec<Axis> = ["X", "Y", "Z"].iter().map(|name| axis(name, Motion::Linear)).collect();
+    axes.push(axis("A", Motion::Rotary));
+    axes.push(Axis { written: Written::Wrapped { from_deg: 0.0 }, ..axis("C", Motion::Rotary) });
+    axes
+}
+
+/// `####.###` zero `0.0`.
+pub(crate) fn picture() -> Picture {
+    Picture {
+        plus: false,
+        integer_digits: 4,
+        integer_least: 0,
+        decimals: 3,
+        decimals_least: 0,
+        point: Point::Always,
+        zero: Some("0.0".into()),
+    }
+}
+
+pub(crate) fn word(name: &str) -> Word {
+    Word { name: name.into(), address: name.into(), picture: picture() }
+}
+
+fn text(text: &str) -> Piece {
+    Piece::Text(text.into())
+}
+
+fn block(trigger: Trigger, lines: Vec<(bool, Vec<Piece>)>) -> Block {
+    let lines = lines.into_iter().map(|(numbered, pieces)| Line { numbered, pieces }).collect();
+    Block { trigger, lines }
+}
+
+fn motion(trigger: Trigger, code: usize) -> Block {
+    let pieces = vec![Piece::Modal { group: 0, code }, text(" "), Piece::Axes, text(" "), Piece::Feed];
+    block(trigger, vec![(true, pieces)])
+}
+
+pub(crate) fn dialect() -> Dialect {
+    let start = vec![
+        (false, vec![text("%")]),
+        (false, vec![text("O"), Piece::Value(Value::Program, None)]),
+        (true, vec![Piece::Value(Value::Units, None), text(" G90 "), Piece::Value(Value::FeedMode, None)]),
+    ];
+    let register = Picture { integer_digits: 2, integer_least: 2, ..Picture::WHOLE };
+    let tool = vec![
+        (true, vec![text("G53 Z0.")]),
+        (true, vec![text("T"), Piece::Value(Value::Tool, None), text(" M6")]),
+        (true, vec![text("G43 H"), Piece::Value(Value::Register, Some(register))]),
+    ];
+    Dialect {
+        name: "test".into(),
+        units: LengthUnit::Millimetre,
+        extension: "nc".into(),
+        comment: ("(".into(), ")".into()),
+        sequence: Some(Sequence { address: "N".into(), start: 10, step: 10, greatest: 50 }),
+        offset: "G54".into(),
+        codes: Codes { units: "G21".into(), per_minute: "G94".into(), per_revolution: Some("G95".into()) },
+        axes: axes().iter().map(|axis| word(&axis.name)).collect(),
+        feed: Word { picture: Picture { integer_digits: 5, decimals: 1, ..picture() }, ..word("F") },
+        feed_per_revolution: word("F"),
+        modal_groups: vec![vec!["G0".into(), "G1".into()]],
+        blocks: vec![
+            block(Trigger::Start, start),
+            block(Trigger::Tool, tool),
+            block(Trigger::Message, vec![(false, vec![text("("), Piece::Value(Value::Text, None), text(")")])]),
+            block(Trigger::Dwell, vec![(true, vec![text("G4 P"), Piece::Value(Value::Milliseconds, None)])]),
+            block(Trigger::CoolantMist, vec![]),
+            block(Trigger::Stop, vec![(true, vec![text("G0 M0 Z5.")])]),
+            motion(Trigger::Rapid, 0),
+            motion(Trigger::Feed, 1),
+        ],
+    }
+}

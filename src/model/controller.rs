@@ -1,0 +1,235 @@
+//! From a controller's statements to the dialect that the runtime prints by.
+
+mod block;
+mod lowering;
+mod picture;
+mod placeholder;
+mod template;
+mod trial;
+mod word;
+
+use crate::syntax::tree::{ControllerStatement, Expression, ExpressionKind, Span, Text};
+use lowering::Lowering;
+use mach_runtime::diagnostic::{Code, Diagnostic, Place};
+use mach_runtime::nc::dialect::{Codes, Dialect, LengthUnit, Sequence};
+use std::collections::BTreeMap;
+
+/// Everything that can be wrong with a controller.
+pub static CODES: [&Code; 11] = [
+    &picture::BAD_PICTURE,
+    &word::UNKNOWN_FORMAT,
+    &word::BAD_ADDRESS,
+    &LACKING,
+    &placeholder::UNKNOWN_PLACEHOLDER,
+    &placeholder::PLACEHOLDER_ELSEWHERE,
+    &block::INCOMPLETE_MOTION,
+    &BAD_SEQUENCE,
+    &MODAL_TWICE,
+    &lowering::UNPRINTABLE,
+    &trial::UNREADABLE_MOTION,
+];
+
+/// A controller that says too little.
+static LACKING: Code = Code {
+    id: "E0523",
+    title: "the controller does not say something that is needed",
+    explanation: "\
+A controller needs at least the blocks `on rapid` and `on feed`, a word for every axis of the machine, and a word `F`.
+
+    controller plain {
+        format length \"####.###\"
+        format feed \"####.\"
+        word X Y Z A B C length
+        word F feed
+        on rapid { \"G0 {axes}\" }
+        on feed { \"G1 {axes} {feed}\" }
+    }
+
+A block that prints `{offset}`, `{units}` or `{feed_mode}` needs the statement `offset`, `code units` or `code feed`.
+An axis that only this machine has is given its word in the machine's own `controller` block.
+",
+};
+
+/// Sequence numbers that cannot be counted.
+static BAD_SEQUENCE: Code = Code {
+    id: "E0527",
+    title: "sequence numbers are whole numbers from the start to the greatest",
+    explanation: "\
+    sequence \"N\" start 10 step 10 greatest 99999
+
+The numbers are written as digits, without a unit. The step is 1 or more, the greatest not below the start, and at most
+99999999. Behind the greatest, counting begins again at the start. `sequence none` prints no numbers.
+",
+};
+
+/// A code that is in two modal groups, or twice in one.
+static MODAL_TWICE: Code = Code {
+    id: "E0528",
+    title: "a code stands in two modal groups",
+    explanation: "\
+The codes of one `modal` statement replace each other, so a code can stand in one group only, and once.
+
+    modal G0 G1 G2 G3
+    modal G17 G18 G19 G1      // G1 belongs to the motions
+",
+};
+
+/// A controller as one machine has it.
+pub struct Controller<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// Where the machine names it.
+    pub at: Place,
+    /// Its statements, those that replace others behind them.
+    pub statements: &'a [ControllerStatement],
+    /// The place of a span of the statement with this index.
+    pub place: &'a dyn Fn(usize, &Span) -> Place,
+}
+
+/// The dialect for a machine with these axes (their names, in the machine's order).
+///
+/// `write` statements are not looked at: how a rotary is wound is a matter of the axis.
+///
+/// # Errors
+/// Everything that is wrong with the statements.
+pub fn lower(controller: &Controller<'_>, axes: &[&str]) -> Result<Dialect, Vec<Diagnostic>> {
+    let mut lowering = Lowering::new(controller);
+    let units = units(&lowering);
+    let formats = word::formats(&mut lowering, units);
+    let axis_words = word::axes(&mut lowering, &formats, axes);
+    let feed = word::feed(&mut lowering, &formats);
+    let comment = comment(&mut lowering);
+    let modal_groups = modal_groups(&mut lowering);
+    let blocks = block::blocks(&mut lowering, &modal_groups, &comment);
+    let extension = lowering.last(extension_statement).map(|(index, text)| lowering.printable(index, text));
+    let offset = lowering.last(offset_statement).map(|(index, text)| lowering.printable(index, text));
+    let dialect = Dialect {
+        name: controller.name.to_owned(),
+        units,
+        extension: extension.unwrap_or_else(|| "nc".to_owned()),
+        comment,
+        sequence: sequence(&mut lowering),
+        offset: offset.unwrap_or_default(),
+        codes: codes(&mut lowering, units),
+        axes: axis_words,
+        feed_per_revolution: word::feed_per_revolution(&mut lowering, &formats).unwrap_or_else(|| feed.clone()),
+        feed,
+        modal_groups,
+        blocks,
+    };
+    if lowering.diagnostics.is_empty() {
+        trial::read_back(&mut lowering, &dialect);
+    }
+    if lowering.diagnostics.is_empty() { Ok(dialect) } else { Err(lowering.diagnostics) }
+}
+
+fn extension_statement(statement: &ControllerStatement) -> Option<&Text> {
+    if let ControllerStatement::Extension(text) = statement { Some(text) } else { None }
+}
+
+fn offset_statement(statement: &ControllerStatement) -> Option<&Text> {
+    if let ControllerStatement::Offset(text) = statement { Some(text) } else { None }
+}
+
+/// The program's unit of length; millimetres where nothing is said.
+fn units(lowering: &Lowering<'_>) -> LengthUnit {
+    use crate::syntax::tree::LengthUnit as Said;
+    let said = lowering.last(|statement| match statement {
+        ControllerStatement::Units(units) => Some(units.value),
+        _ => None,
+    });
+    match said {
+        Some((_, Said::Inch)) => LengthUnit::Inch,
+        Some((_, Said::Millimetre)) | None => LengthUnit::Millimetre,
+    }
+}
+
+/// What encloses comments; parentheses where nothing is said.
+fn comment(lowering: &mut Lowering<'_>) -> (String, String) {
+    let said = lowering.last(|statement| match statement {
+        ControllerStatement::Comment { open, close } => Some((open, close)),
+        _ => None,
+    });
+    let Some((index, (open, close))) = said else { return ("(".to_owned(), ")".to_owned()) };
+    let close = close.as_ref().map(|close| lowering.printable(index, close));
+    (lowering.printable(index, open), close.unwrap_or_default())
+}
+
+/// The codes of the program's state; empty where nothing is said (a block that prints one has been refused).
+fn codes(lowering: &mut Lowering<'_>, units: LengthUnit) -> Codes {
+    let unit_codes = lowering.last(|statement| match statement {
+        ControllerStatement::UnitsCode { mm, inch } => Some((mm, inch)),
+        _ => None,
+    });
+    let feed_codes = lowering.last(|statement| match statement {
+        ControllerStatement::FeedCode { minute, revolution } => Some((minute, revolution)),
+        _ => None,
+    });
+    let units = unit_codes.map(|(index, (mm, inch))| {
+        let (mm, inch) = (lowering.printable(index, mm), lowering.printable(index, inch));
+        if units == LengthUnit::Inch { inch } else { mm }
+    });
+    let feed = feed_codes.map(|(index, (minute, revolution))| {
+        let revolution = revolution.as_ref().map(|revolution| lowering.printable(index, revolution));
+        (lowering.printable(index, minute), revolution)
+    });
+    let (per_minute, per_revolution) = feed.unwrap_or_default();
+    Codes { units: units.unwrap_or_default(), per_minute, per_revolution }
+}
+
+/// The groups of codes that replace each other.
+fn modal_groups(lowering: &mut Lowering<'_>) -> Vec<Vec<String>> {
+    let mut first_at: BTreeMap<&str, Place> = BTreeMap::new();
+    let mut groups = Vec::new();
+    for (index, statement) in lowering.statements() {
+        let ControllerStatement::Modal(codes) = statement else { continue };
+        for code in codes {
+            let place = lowering.place(index, &code.span);
+            let Some(first) = first_at.insert(&code.value, place.clone()) else { continue };
+            let diagnostic = Diagnostic::error(&MODAL_TWICE, format!("{} stands in two modal groups", code.value))
+                .at(place, "here again")
+                .at(first, "first here");
+            lowering.diagnostics.push(diagnostic);
+        }
+        groups.push(codes.iter().map(|code| code.value.clone()).collect());
+    }
+    groups
+}
+
+/// The sequence numbers, if there are any.
+fn sequence(lowering: &mut Lowering<'_>) -> Option<Sequence> {
+    let said = lowering.last(|statement| match statement {
+        ControllerStatement::NoSequence => Some(None),
+        ControllerStatement::Sequence { address, start, step, greatest } => {
+            Some(Some((address, start, step, greatest)))
+        }
+        _ => None,
+    });
+    let (index, (address, start, step, greatest)) = said.and_then(|(index, said)| Some((index, said?)))?;
+    let mut number = |said: &Option<Expression>, least: u64, plain: u64| match said {
+        Some(expression) => whole(lowering, index, expression, least),
+        None => Some(plain),
+    };
+    let start = number(start, 0, 1)?;
+    let step = number(step, 1, 1)?;
+    let greatest = number(greatest, start, MOST_SEQUENCE.min(99_999.max(start)))?;
+    word::address(lowering, index, address);
+    Some(Sequence { address: address.value.clone(), start, step, greatest })
+}
+
+/// The greatest sequence number that any control takes.
+const MOST_SEQUENCE: u64 = 99_999_999;
+
+/// A whole number written as digits.
+fn whole(lowering: &mut Lowering<'_>, index: usize, expression: &Expression, least: u64) -> Option<u64> {
+    let number = match &*expression.value {
+        ExpressionKind::Number { digits, unit: None } => digits.parse().ok(),
+        _ => None,
+    };
+    let number = number.filter(|number| (least..=MOST_SEQUENCE).contains(number));
+    if number.is_none() {
+        let label = format!("a whole number from {least} to {MOST_SEQUENCE} is expected");
+        lowering.report(&BAD_SEQUENCE, "this cannot be a sequence number", index, &expression.span, label);
+    }
+    number
+}

@@ -1,0 +1,67 @@
+//! A trial: one motion of each kind is printed and read back, so that no program is written that cannot be proved.
+
+use super::lowering::Lowering;
+use crate::syntax::tree::{ControllerStatement, Event, Span};
+use mach_runtime::cl::event::{Approach, Feed};
+use mach_runtime::diagnostic::Code;
+use mach_runtime::machine::{Axis, Motion, Travel, Written};
+use mach_runtime::nc::dialect::{Dialect, LengthUnit};
+use mach_runtime::nc::writer::Writer;
+use mach_runtime::readback::ReadBack;
+
+/// A motion block that cannot be read back.
+pub(super) static UNREADABLE_MOTION: Code = Code {
+    id: "E0530",
+    title: "the motion block cannot be read back",
+    explanation: "\
+Every program is read back and compared with the CL data. In motion blocks only words can be read (`G1`, `F500.`,
+`SUPA`, `S1=3000`) and comments, and an axis word only once.
+
+    on feed { \"G1 {axes} {feed} WHEN($1)\" }     // a call is no word
+    on feed { \"G1 {axes} X0. {feed}\" }          // X twice
+
+Put calls into the blocks of other events.
+",
+};
+
+/// Reports a kind of motion whose block cannot be read back.
+pub(super) fn read_back(lowering: &mut Lowering<'_>, dialect: &Dialect) {
+    let feed = Approach::Feed(Some(Feed::PerMinute(one_half_mm(dialect))));
+    for (event, approach) in [(Event::Rapid, Approach::Rapid), (Event::Feed, feed)] {
+        let Some(text) = unreadable(dialect, approach) else { continue };
+        let said = lowering.last(|statement| match statement {
+            ControllerStatement::On { event: said, .. } if said.value == event => Some(&said.span),
+            _ => None,
+        });
+        let (index, span): (usize, &Span) = said.expect("a dialect without motion blocks has been refused");
+        let message = format!("the text of this motion cannot be read back: `{}`", text.trim_end());
+        lowering.report(&UNREADABLE_MOTION, message, index, span, "only words, and each axis once");
+    }
+}
+
+/// The text of a motion, if it cannot be read.
+fn unreadable(dialect: &Dialect, approach: Approach) -> Option<String> {
+    let axes: Vec<Axis> = dialect.axes.iter().map(|word| any_axis(&word.name)).collect();
+    let mut joints = vec![0.5; axes.len()];
+    let mut text = Vec::new();
+    Writer::new(dialect.clone(), &axes).motion(approach, &joints, 0.0, &mut text).ok()?;
+    let read = ReadBack::new(dialect, &axes).read(&text, 0.0, &mut joints);
+    read.is_err().then(|| String::from_utf8_lossy(&text).into_owned())
+}
+
+/// A feed that any picture prints.
+fn one_half_mm(dialect: &Dialect) -> f64 {
+    if dialect.units == LengthUnit::Inch { 12.7 } else { 0.5 }
+}
+
+fn any_axis(name: &str) -> Axis {
+    Axis {
+        name: name.to_owned(),
+        motion: Motion::Rotary,
+        travel: Travel::UNLIMITED,
+        written: Written::Unwound,
+        zero: 0.0,
+        length_share: 0.0,
+        rapid_per_min: None,
+    }
+}

@@ -1,0 +1,79 @@
+//! The plan: straight-line scalar programs derived from the chain.
+//!
+//! A [`Graph`] is built symbolically and simplifies as it grows. A [`Program`] is what is left of it for a set of
+//! outputs, with registers assigned; it is interpreted over blocks of poses. The same graph is printed as equations.
+
+mod graph;
+mod interpreter;
+mod program;
+mod simplify;
+mod trigonometry;
+
+pub use graph::{Graph, Id, Op};
+pub use interpreter::Interpreter;
+pub use program::Program;
+pub use trigonometry::{cos_constant, sin_constant, snap};
+
+/// Everything that was derived of a machine: outputs of one graph. Angles are in radians, lengths in millimetres.
+#[derive(Debug, Clone)]
+pub struct Plan {
+    /// The expressions.
+    pub graph: Graph,
+    /// The candidates of the inverse; inputs are tip, axis and tool length.
+    pub branches: Vec<Branch>,
+    /// Zero inside the reach, else minus the angle to it.
+    pub reach: Id,
+    /// The sine of the angle between the wanted axis and the first rotary.
+    pub pole_sine: Id,
+    /// The axis that is free where `pole_sine` is zero.
+    pub free_axis: Option<usize>,
+    /// The joints for given rotary joints; inputs are tip, tool length and the rotary joints.
+    pub position: Vec<Id>,
+    /// The tip, from tool length and joints.
+    pub tip: [Id; 3],
+    /// The tool axis, from the joints.
+    pub axis: [Id; 3],
+    /// Which axes are rotary.
+    pub rotary: Vec<bool>,
+}
+
+/// One candidate of the inverse.
+#[derive(Debug, Clone)]
+pub struct Branch {
+    /// The joint of each axis, in the order of the model.
+    pub joints: Vec<Id>,
+}
+
+/// The inputs of a plan.
+#[derive(Debug, Clone)]
+pub struct Inputs {
+    /// The wanted tip.
+    pub tip: [Id; 3],
+    /// The wanted unit tool axis.
+    pub axis: [Id; 3],
+    /// The tool's gauge length.
+    pub tool_length: Id,
+    /// The joints, in the order of the model.
+    pub joints: Vec<Id>,
+}
+
+/// Where the inputs stand: tip, axis, tool length, joints.
+pub const TIP_INPUT: usize = 0;
+/// See [`TIP_INPUT`].
+pub const AXIS_INPUT: usize = 3;
+/// See [`TIP_INPUT`].
+pub const TOOL_LENGTH_INPUT: usize = 6;
+/// See [`TIP_INPUT`].
+pub const JOINT_INPUT: usize = 7;
+
+impl Plan {
+    /// The inputs of a plan for so many axes.
+    pub fn inputs(graph: &mut Graph, axes: usize) -> Inputs {
+        Inputs {
+            tip: std::array::from_fn(|i| graph.input(TIP_INPUT + i)),
+            axis: std::array::from_fn(|i| graph.input(AXIS_INPUT + i)),
+            tool_length: graph.input(TOOL_LENGTH_INPUT),
+            joints: (0..axes).map(|axis| graph.input(JOINT_INPUT + axis)).collect(),
+        }
+    }
+}

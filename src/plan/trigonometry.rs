@@ -1,0 +1,189 @@
+//! Trigonometry that folds as it is built. An angle made by [`Graph::atan2`] of a point on the unit circle knows its sine
+//! and cosine; sums with constants and halves of it know theirs, so that few trigonometric functions are left.
+
+use super::graph::{Graph, Id, Op};
+
+/// A sine or cosine of a constant below this is a structural zero: a few ulp of 1.
+const STRUCTURAL_ZERO: f64 = 4.0 * f64::EPSILON;
+
+/// The sine of a constant angle, with 0 and ±1 where only rounding keeps it from them.
+pub fn sin_constant(angle_rad: f64) -> f64 {
+    snap(libm::sin(angle_rad))
+}
+
+/// The cosine of a constant angle, with 0 and ±1 where only rounding keeps it from them.
+pub fn cos_constant(angle_rad: f64) -> f64 {
+    snap(libm::cos(angle_rad))
+}
+
+/// 0, 1 or -1 where the value is that up to rounding.
+pub fn snap(value: f64) -> f64 {
+    let nearest = value.round();
+    if (value - nearest).abs() < STRUCTURAL_ZERO && nearest.abs() <= 1.0 { nearest + 0.0 } else { value }
+}
+
+impl Graph {
+    /// Says that the sine and the cosine of an angle are these nodes.
+    pub fn define_angle(&mut self, angle: Id, sine: Id, cosine: Id) {
+        self.angles.insert(angle, (sine, cosine));
+    }
+
+    /// The sine.
+    pub fn sin(&mut self, angle: Id) -> Id {
+        self.sine_and_cosine(angle).0
+    }
+
+    /// The cosine.
+    pub fn cos(&mut self, angle: Id) -> Id {
+        self.sine_and_cosine(angle).1
+    }
+
+    /// Both, from what is known of the angle.
+    pub fn sine_and_cosine(&mut self, angle: Id) -> (Id, Id) {
+        if let Some(&known) = self.angles.get(&angle) {
+            return known;
+        }
+        match self.op(angle) {
+            Op::Constant(value) => (self.constant(sin_constant(value)), self.constant(cos_constant(value))),
+            Op::Neg(a) => {
+                let (sine, cosine) = self.sine_and_cosine(a);
+                (self.neg(sine), cosine)
+            }
+            Op::Add(a, b) if self.as_constant(a).is_some() => self.sum_formula(a, b, false),
+            Op::Sub(a, b) if self.as_constant(a).is_some() => self.sum_formula(a, b, true),
+            _ => (self.intern(Op::Sin(angle)), self.intern(Op::Cos(angle))),
+        }
+    }
+
+    /// Sine and cosine of `a + b` or `a - b`.
+    fn sum_formula(&mut self, a: Id, b: Id, minus: bool) -> (Id, Id) {
+        let (sin_a, cos_a) = self.sine_and_cosine(a);
+        let (sin_b, cos_b) = self.sine_and_cosine(b);
+        let sin_b = if minus { self.neg(sin_b) } else { sin_b };
+        (self.sum_of_products(sin_a, cos_b, cos_a, sin_b), self.difference_of_products(cos_a, cos_b, sin_a, sin_b))
+    }
+
+    /// `a b + c d`
+    pub fn sum_of_products(&mut self, a: Id, b: Id, c: Id, d: Id) -> Id {
+        let (left, right) = (self.mul(a, b), self.mul(c, d));
+        self.add(left, right)
+    }
+
+    /// `a b - c d`
+    pub fn difference_of_products(&mut self, a: Id, b: Id, c: Id, d: Id) -> Id {
+        let (left, right) = (self.mul(a, b), self.mul(c, d));
+        self.sub(left, right)
+    }
+
+    /// The angle of the point (x, y). A common factor that is not negative cancels.
+    pub fn atan2(&mut self, y: Id, x: Id) -> Id {
+        if let (Some(y), Some(x)) = (self.as_constant(y), self.as_constant(x)) {
+            return self.constant(libm::atan2(y, x));
+        }
+        if let Some((y, x)) = self.without_common_factor(y, x) {
+            return self.atan2(y, x);
+        }
+        // The angle that has this sine and this cosine, if there is one from 0 to π.
+        let known = self.angles.iter().find(|&(_, &pair)| pair == (y, x)).map(|(&angle, _)| angle);
+        match known {
+            Some(angle) if self.known_nonnegative(y) => angle,
+            _ => self.intern(Op::Atan2(y, x)),
+        }
+    }
+
+    /// `(y / k, x / k)` where both have a factor `k >= 0`.
+    fn without_common_factor(&mut self, y: Id, x: Id) -> Option<(Id, Id)> {
+        let ((minus_y, y), (minus_x, x)) = (self.sign_and_rest(y), self.sign_and_rest(x));
+        let (Op::Mul(a, b), Op::Mul(c, d)) = (self.op(y), self.op(x)) else { return None };
+        let (shared, rest_y, rest_x) = [(a, b, c, d), (a, b, d, c), (b, a, c, d), (b, a, d, c)]
+            .into_iter()
+            .find(|&(k, _, l, _)| k == l && self.known_nonnegative(k))
+            .map(|(k, rest_y, _, rest_x)| (k, rest_y, rest_x))?;
+        debug_assert!(self.known_nonnegative(shared), "only a factor that keeps the quadrant may cancel");
+        Some((self.with_sign(minus_y, rest_y), self.with_sign(minus_x, rest_x)))
+    }
+
+    fn sign_and_rest(&self, a: Id) -> (bool, Id) {
+        match self.op(a) {
+            Op::Neg(b) => (true, b),
+            _ => (false, a),
+        }
+    }
+
+    fn with_sign(&mut self, minus: bool, a: Id) -> Id {
+        if minus { self.neg(a) } else { a }
+    }
+
+    /// `sin² h + cos² h = 1`.
+    pub(super) fn squares_of_one_angle(&mut self, a: Id, b: Id) -> Option<Id> {
+        let angle = self.squared_pair(a, b).or_else(|| self.squared_pair(b, a))?;
+        debug_assert!(self.angles.contains_key(&angle), "the pair was found among the known angles");
+        Some(self.constant(1.0))
+    }
+
+    /// `cos² h - sin² h = cos 2h`.
+    pub(super) fn difference_of_squares_of_one_angle(&mut self, a: Id, b: Id) -> Option<Id> {
+        let half = self.squared_pair(b, a)?;
+        let double = self.double_of(half)?;
+        Some(self.cos(double))
+    }
+
+    /// `2 sin h cos h = sin 2h`, for an angle whose double is known.
+    pub fn double_sine(&mut self, product: Id) -> Id {
+        let two = self.constant(2.0);
+        if let Op::Mul(a, b) = self.op(product) {
+            let half = self.angle_of_pair(a, b).or_else(|| self.angle_of_pair(b, a));
+            if let Some(double) = half.and_then(|half| self.double_of(half)) {
+                return self.sin(double);
+            }
+        }
+        self.mul(two, product)
+    }
+
+    /// The angle whose squared sine and cosine these two are.
+    fn squared_pair(&self, sine_squared: Id, cosine_squared: Id) -> Option<Id> {
+        match (self.op(sine_squared), self.op(cosine_squared)) {
+            (Op::Mul(a, b), Op::Mul(c, d)) if a == b && c == d => self.angle_of_pair(a, c),
+            _ => None,
+        }
+    }
+
+    fn angle_of_pair(&self, sine: Id, cosine: Id) -> Option<Id> {
+        self.angles.iter().find(|&(_, &pair)| pair == (sine, cosine)).map(|(&angle, _)| angle)
+    }
+
+    /// The known angle of which this one is the half.
+    fn double_of(&self, half: Id) -> Option<Id> {
+        match self.op(half) {
+            Op::Mul(factor, angle) if self.as_constant(factor) == Some(0.5) => Some(angle),
+            _ => None,
+        }
+    }
+
+    /// Whether a node is the sine (`true`) or the cosine of half a known angle, and that whole angle.
+    pub fn half_angle_of(&self, id: Id) -> Option<(bool, Id)> {
+        let halves = self.angles.iter().filter_map(|(&half, &pair)| Some((self.double_of(half)?, pair)));
+        halves
+            .filter(|(_, (sine, cosine))| id == *sine || id == *cosine)
+            .map(|(double, (sine, _))| (id == sine, double))
+            .next()
+    }
+
+    /// The half of an angle from 0 to π with known sine and cosine, without a trigonometric function: the larger of
+    /// the two half-angle functions from the root, the smaller from the sine, so that neither loses digits.
+    pub fn half_angle(&mut self, angle: Id) -> Id {
+        let (sine, cosine) = self.sine_and_cosine(angle);
+        let (one, half, minus) = (self.constant(1.0), self.constant(0.5), self.neg(cosine));
+        let magnitude = self.max(cosine, minus);
+        let sum = self.add(one, magnitude);
+        let squared = self.mul(half, sum);
+        let larger = self.sqrt(squared);
+        let twice = self.add(larger, larger);
+        let smaller = self.div(sine, twice);
+        let half_sine = self.select(cosine, smaller, larger);
+        let half_cosine = self.select(cosine, larger, smaller);
+        let result = self.mul(half, angle);
+        self.define_angle(result, half_sine, half_cosine);
+        result
+    }
+}
