@@ -5,7 +5,7 @@ pub use mach_runtime::render::{Style, render};
 
 use crate::check;
 use crate::derive::prove;
-use crate::model::{describe, evaluate, family, field, function, library, load, parameter};
+use crate::model::{arithmetic, describe, evaluate, family, field, function, library, load, parameter};
 
 /// The codes of the model and of the checks; those of the syntax are listed there.
 static CODES: [&Code; 34] = [
@@ -32,7 +32,7 @@ static CODES: [&Code; 34] = [
     &evaluate::UNKNOWN_NAME,
     &function::UNKNOWN_FUNCTION,
     &field::WRONG_UNIT,
-    &evaluate::UNITS_DO_NOT_FIT,
+    &arithmetic::UNITS_DO_NOT_FIT,
     &function::ANGLE_NEEDS_UNIT,
     &evaluate::SHAPE,
     &evaluate::NOT_FINITE,
