@@ -87,3 +87,110 @@ fn a_misspelt_word_is_corrected() {
         assert_eq!(replacement(&text).as_deref(), Some(meant), "{text}: {:#?}", errors(&text));
     }
 }
+
+/// The first error as `code line:column message`.
+fn told(text: &str) -> String {
+    let first = errors(text).swap_remove(0);
+    let place = &first.labels[0].place;
+    format!("{} {}:{} {}", first.code.id, place.line, place.column, first.message)
+}
+
+#[test]
+fn a_message_says_what_was_found_and_what_would_have_fitted() {
+    let clauses = "`travel`, `turns`, `rapid`, the next statement or `}`";
+    for (statement, message) in [
+        ("linear X along +x travel -355 . 355", "E0107 2:31 expected `..`, found `.`".to_owned()),
+        ("linear X along +x [1, 2]", format!("E0107 2:19 expected {clauses}, found `[`")),
+        ("let tool = 5", "E0107 2:5 expected a name, found `tool`".to_owned()),
+        ("let größe = 5", "E0107 2:7 expected `=`, found `öße`".to_owned()),
+        ("let a 5", "E0107 2:7 expected `=`, found `5`".to_owned()),
+        ("let a =", "E0107 2:8 expected a value, found the end of the line".to_owned()),
+        ("let a = (1 + 2", "E0107 2:15 expected `)` or `,`, found the end of the line".to_owned()),
+        ("let a = 2 radius", "E0109 2:11 `radius` is not a unit".to_owned()),
+        ("chain w c A b", "E0107 2:9 expected an axis, the next statement or `}`, found `c`".to_owned()),
+        ("write C 0 .. 360", "E0108 2:1 there is no statement `write` in a machine".to_owned()),
+        ("%", "E0108 2:1 a statement cannot begin with `%`".to_owned()),
+        ("linear X along +x rapid 1 rapid 2", "E0113 2:27 this has been said of the axis already".to_owned()),
+        (
+            "rotary C about +z travel 0 .. 1 turns unlimited",
+            "E0113 2:33 this has been said of the axis already".to_owned(),
+        ),
+    ] {
+        assert_eq!(told(&in_machine(statement)), message);
+    }
+}
+
+#[test]
+fn the_same_in_a_controller() {
+    for (statement, message) in [
+        ("word X Y Z", "E0107 2:11 expected an axis or the name of a format, found the end of the line"),
+        ("word x length", "E0107 2:6 expected an axis, found `x`"),
+        ("modal G0 g1", "E0107 2:10 expected a code such as `G0`, the next statement or `}`, found `g1`"),
+        ("sequence \"N\" step 5 start 1", "E0107 2:21 expected `greatest` or `}`, found `start`"),
+        ("extension nc", "E0107 2:11 expected a text in quotes, found `nc`"),
+        ("on rapid { \"G0 {}\" }", "E0107 2:17 expected the name of a placeholder, found `}`"),
+        ("on rapid { \"G0 {axes\" }", "E0107 2:21 expected `:` or `}`, found `\"`"),
+        ("on rapid { G0 }", "E0108 2:12 there is no statement `G0` in an `on` block"),
+        ("on { }", "E0107 2:4 expected an event, found `{`"),
+    ] {
+        assert_eq!(told(&format!("controller c {{\n{statement}\n}}")), message);
+    }
+}
+
+#[test]
+fn characters_and_braces_are_looked_at_first() {
+    for (text, message) in [
+        ("use", "E0107 1:4 expected a text in quotes, found the end of the file"),
+        ("machine { }", "E0107 1:9 expected a name, found `{`"),
+        ("linear X along +x", "E0108 1:1 there is no statement `linear` at the top of a file"),
+        ("machine m { } }", "E0105 1:15 this `}` closes nothing"),
+        ("use \"abc\nmachine", "E0103 1:5 this text has no closing quote on its line"),
+        ("use \"abc\\\n", "E0103 1:5 this text has no closing quote on its line"),
+        ("use \"a\\b\"", "E0104 1:7 a backslash stands only before a quote or another backslash"),
+        ("// a\u{1b}[0m", "E0102 1:5 the control character U+001B does not belong in a machine file"),
+        ("\u{0}\u{1}", "E0102 1:1 the control character U+0000 does not belong in a machine file"),
+    ] {
+        assert_eq!(told(text), message);
+    }
+}
+
+#[test]
+fn a_brace_that_is_missing_is_looked_for_by_indentation() {
+    let errors = errors("machine m {\n    branch {\n        start nearest\n    controller s {\n    }\n}\n");
+    let places: Vec<_> = errors[0].labels.iter().map(|label| label.place.line).collect();
+    assert_eq!((errors.len(), errors[0].code.id, places), (1, "E0105", vec![1, 2]));
+}
+
+#[test]
+fn one_mistake_is_told_once() {
+    assert_eq!(found(&in_machine("chain w A b X Y Z t\nX along +x")), [("E0108", 3, 1)]);
+    assert_eq!(found("machin m {\n linear X along +x\n branch { start nearest }\n}\nuse \"a\"\n"), [("E0108", 1, 1)]);
+    let spread = "linear X along +x\n  travel 0 . 1\n  rapid 5\nzero 0";
+    assert_eq!(found(&in_machine(spread)), [("E0107", 3, 12)]);
+}
+
+#[test]
+fn nesting_and_length_have_bounds() {
+    let nested = |depth: usize| in_machine(&format!("let a = {}1{}", "(".repeat(depth), ")".repeat(depth)));
+    assert!(parse("t.mach", &nested(60)).is_ok());
+    assert_eq!(told(&nested(100_000)), "E0106 2:72 more than 64 braces and parentheses are open here");
+    assert_eq!(found(&"{".repeat(100_000)), [("E0106", 1, 65)]);
+    for repeated in ["-", "1 ^ ", "1 + ", "1, "] {
+        let text = in_machine(&format!("let a = f({}1)", repeated.repeat(50_000)));
+        assert_eq!(found(&text), [("E0112", 2, 9)], "{repeated}");
+    }
+    assert_eq!(found(&"\n".repeat(5 << 20)), [("E0101", 1, 1)]);
+}
+
+#[test]
+fn a_large_file_is_read_and_a_bad_one_given_up() {
+    let statements = "let a = 1 mm // one of many\n".repeat(50_000);
+    assert!(parse("t.mach", &in_machine(&statements)).is_ok());
+    for garbage in ["% ", "liner\n", "\"x\" ", "let a = $\n", "// c\n", "let a = ((((1\n"] {
+        let text = in_machine(&format!("%{}", garbage.repeat((1 << 20) / garbage.len())));
+        let errors = errors(&text).len();
+        assert!((1..=50).contains(&errors), "{garbage}: {errors}");
+    }
+    let wide = in_machine(&format!("let a = 1{} $", " ".repeat(1 << 20)));
+    assert!(errors(&wide)[0].labels[0].place.excerpt.len() < 1000);
+}

@@ -14,6 +14,8 @@ pub struct ReadBack {
     axes: Vec<ReadAxis>,
     /// For each byte, the axis whose address is that one letter.
     by_letter: [Option<u8>; 256],
+    /// For each byte, whether an axis has that one letter as its name or address.
+    named_by_letter: [bool; 256],
     /// The axes with longer addresses, the longest first.
     by_address: Vec<usize>,
     comment: (Vec<u8>, Vec<u8>),
@@ -68,6 +70,10 @@ impl ReadBack {
                 written: None,
             })
             .collect();
+        let mut named_by_letter = [false; 256];
+        for name in axes.iter().flat_map(|axis| [&axis.name, &axis.address]).filter(|name| name.len() == 1) {
+            named_by_letter[usize::from(name[0])] = true;
+        }
         let mut by_letter = [None; 256];
         for (index, axis) in axes.iter().enumerate().filter(|(_, axis)| axis.address.len() == 1) {
             by_letter[usize::from(axis.address[0])] = u8::try_from(index).ok();
@@ -76,7 +82,7 @@ impl ReadBack {
         by_address.sort_by_key(|&index| std::cmp::Reverse(axes[index].address.len()));
         let (open, close) = &dialect.comment;
         let comment = (open.clone().into_bytes(), close.clone().into_bytes());
-        Self { axes, by_letter, by_address, comment }
+        Self { axes, by_letter, named_by_letter, by_address, comment }
     }
 
     /// Reads the blocks of a motion (none of them, when nothing had to be printed), and gives the joints they leave
@@ -148,8 +154,10 @@ impl ReadBack {
             None if letters > 1 => (behind, behind),
             None => return None,
         };
-        let name = &text[at..name_end];
-        let is_axis = self.axes.iter().any(|axis| axis.name.iter().eq(name) || axis.address.iter().eq(name));
+        let is_axis = match &text[at..name_end] {
+            [letter] => self.named_by_letter[usize::from(*letter)],
+            name => self.axes.iter().any(|axis| axis.name == name || axis.address == name),
+        };
         (!is_axis).then_some(end)
     }
 }
@@ -190,27 +198,35 @@ const POWERS: [f64; 19] =
 
 /// The number that begins here (`-12.5`, `25.`, `.5`), and its end. A quotient of two numbers that doubles hold
 /// exactly is the double closest to the decimal.
+#[inline]
 fn number(text: &[u8], at: usize) -> Option<(f64, usize)> {
     let negative = text.get(at) == Some(&b'-');
-    let mut end = at + usize::from(negative || text.get(at) == Some(&b'+'));
-    let (mut digits, mut point, mut mantissa) = (0_usize, None, 0_u64);
-    while let Some(&byte) = text.get(end) {
-        match byte {
-            b'0'..=b'9' => {
-                mantissa = mantissa * 10 + u64::from(byte - b'0');
-                digits += 1;
-            }
-            b'.' if point.is_none() => point = Some(digits),
-            _ => break,
-        }
-        end += 1;
-        if digits >= POWERS.len() {
-            return None;
-        }
+    let start = at + usize::from(negative || text.get(at) == Some(&b'+'));
+    let (mut mantissa, mut end) = digits(text, start, 0);
+    let mut count = end - start;
+    let mut decimals = 0;
+    if text.get(end) == Some(&b'.') {
+        let point = end + 1;
+        (mantissa, end) = digits(text, point, mantissa);
+        decimals = end - point;
+        count += decimals;
     }
-    if digits == 0 {
+    if count == 0 || count >= POWERS.len() {
         return None;
     }
-    let size = mantissa as f64 / POWERS[digits - point.unwrap_or(digits)];
+    let size = mantissa as f64 / POWERS[decimals];
     Some((if negative && mantissa != 0 { -size } else { size }, end))
+}
+
+/// Appends the digits that stand here to a number, and says where they end. Too many digits wrap around: count them.
+#[inline]
+fn digits(text: &[u8], at: usize, mut number: u64) -> (u64, usize) {
+    let mut end = at;
+    while let Some(digit) = text.get(end).map(|byte| byte.wrapping_sub(b'0'))
+        && digit < 10
+    {
+        number = number.wrapping_mul(10).wrapping_add(u64::from(digit));
+        end += 1;
+    }
+    (number, end)
 }

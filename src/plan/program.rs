@@ -81,35 +81,61 @@ impl Program {
 impl Step {
     fn run(self, registers: &mut [Lane]) {
         match self {
-            Step::Unary(Unary::Neg, target, a) => registers[target] = registers[a].map(|a| -a),
-            Step::Unary(Unary::Sqrt, target, a) => registers[target] = registers[a].map(f64::sqrt),
-            Step::Binary(kind, target, a, b) => registers[target] = kind.run(&registers[a], &registers[b]),
+            Step::Unary(Unary::Neg, target, a) => unary(registers, target, a, |a| -a),
+            Step::Unary(Unary::Sqrt, target, a) => unary(registers, target, a, f64::sqrt),
+            Step::Binary(kind, target, a, b) => kind.run(registers, target, a, b),
             Step::SinCos(sine, cosine, angle) => {
-                let angle = registers[angle];
+                let [sine, cosine, angle] = disjoint(registers, [sine, cosine, angle]);
                 for lane in 0..LANES {
-                    (registers[sine][lane], registers[cosine][lane]) = libm::sincos(angle[lane]);
+                    (sine[lane], cosine[lane]) = libm::sincos(angle[lane]);
                 }
             }
             Step::Select(target, [condition, a, b]) => {
-                let (condition, a, b) = (&registers[condition], &registers[a], &registers[b]);
-                registers[target] = std::array::from_fn(|l| if condition[l] > 0.0 { a[l] } else { b[l] });
+                let (condition, a, b) = (registers[condition], registers[a], registers[b]);
+                let target = &mut registers[target];
+                for lane in 0..LANES {
+                    target[lane] = if condition[lane] > 0.0 { a[lane] } else { b[lane] };
+                }
             }
         }
     }
 }
 
 impl Binary {
-    fn run(self, a: &Lane, b: &Lane) -> Lane {
+    fn run(self, registers: &mut [Lane], target: Register, a: Register, b: Register) {
         match self {
-            Binary::Add => std::array::from_fn(|l| a[l] + b[l]),
-            Binary::Sub => std::array::from_fn(|l| a[l] - b[l]),
-            Binary::Mul => std::array::from_fn(|l| a[l] * b[l]),
-            Binary::Div => std::array::from_fn(|l| a[l] / b[l]),
-            Binary::Atan2 => std::array::from_fn(|l| libm::atan2(a[l], b[l])),
-            Binary::Min => std::array::from_fn(|l| if a[l] < b[l] { a[l] } else { b[l] }),
-            Binary::Max => std::array::from_fn(|l| if a[l] > b[l] { a[l] } else { b[l] }),
+            Binary::Add => binary(registers, target, a, b, |a, b| a + b),
+            Binary::Sub => binary(registers, target, a, b, |a, b| a - b),
+            Binary::Mul => binary(registers, target, a, b, |a, b| a * b),
+            Binary::Div => binary(registers, target, a, b, |a, b| a / b),
+            Binary::Atan2 => binary(registers, target, a, b, libm::atan2),
+            Binary::Min => binary(registers, target, a, b, |a, b| if a < b { a } else { b }),
+            Binary::Max => binary(registers, target, a, b, |a, b| if a > b { a } else { b }),
         }
     }
+}
+
+#[inline(always)]
+fn unary(registers: &mut [Lane], target: Register, a: Register, f: impl Fn(f64) -> f64) {
+    let [target, a] = disjoint(registers, [target, a]);
+    for lane in 0..LANES {
+        target[lane] = f(a[lane]);
+    }
+}
+
+#[inline(always)]
+fn binary(registers: &mut [Lane], target: Register, a: Register, b: Register, f: impl Fn(f64, f64) -> f64) {
+    if a == b {
+        return unary(registers, target, a, |a| f(a, a));
+    }
+    let [target, a, b] = disjoint(registers, [target, a, b]);
+    for lane in 0..LANES {
+        target[lane] = f(a[lane], b[lane]);
+    }
+}
+
+fn disjoint<const N: usize>(registers: &mut [Lane], places: [Register; N]) -> [&mut Lane; N] {
+    registers.get_disjoint_mut(places).expect("a register is written while its operands are still held elsewhere")
 }
 
 /// Assigns registers: a register is used again once nothing reads its value any more.

@@ -13,8 +13,10 @@ use grammar::{MachParser, Pair, Rule};
 use trivia::Comments;
 
 pub mod controller;
+mod expected;
 pub mod expression;
 pub mod failure;
+mod found;
 mod grammar;
 pub mod machine;
 pub mod scan;
@@ -52,7 +54,7 @@ pub fn parse(file_name: &str, text: &str) -> Result<File, Vec<Diagnostic>> {
             Some(File { body: builder.body(file, Rule::item, Builder::item) })
         }
         Err(_) => {
-            failures.syntax(Rule::file, 0);
+            failures.syntax(Rule::file, 0, None);
             None
         }
     };
@@ -75,12 +77,14 @@ impl<'t> Builder<'_, 't> {
     fn body<T>(&mut self, body: Pair<'t>, rule: Rule, build: impl Fn(&mut Self, Pair<'t>) -> Option<T>) -> Body<T> {
         let close = grammar::extent(&body).end;
         let mut statements = Vec::new();
-        for pair in grammar::content(body) {
-            if matches!(pair.as_rule(), Rule::broken | Rule::broken_line) {
-                self.failures.syntax(rule, pair.as_span().start());
+        let mut pairs = grammar::content(body).into_iter().peekable();
+        while let Some(pair) = pairs.next() {
+            let span = grammar::extent(&pair);
+            if is_broken(&pair) {
+                let next = pairs.peek().filter(|next| is_broken(next)).map(|next| next.as_span().start());
+                self.failures.syntax(rule, span.start, next);
                 continue;
             }
-            let span = grammar::extent(&pair);
             let (node, trivia) = self.with_trivia(pair, &span, &build);
             statements.extend(node.map(|node| Stated { node, span, trivia }));
         }
@@ -134,6 +138,10 @@ impl<'t> Builder<'_, 't> {
         let title = parts.take(Rule::text).map(|text| template::text(&text));
         Definition { name, like, title, body: self.body(parts.next(), rule, statement) }
     }
+}
+
+fn is_broken(pair: &Pair<'_>) -> bool {
+    matches!(pair.as_rule(), Rule::broken | Rule::broken_line)
 }
 
 /// What a pair consists of, without keywords and delimiters.

@@ -75,7 +75,8 @@ fn beyond(value: f64, travel: Travel) -> f64 {
 fn turns(value: f64, reference: f64, travel: Travel) -> (f64, f64) {
     // The half turn is written as positive.
     let value = if value == -180.0 { 180.0 } else { value };
-    let nearest = round_to_zero((reference - value) / 360.0);
+    let apart = reference - value;
+    let nearest = if apart.abs() <= 180.0 { 0.0 } else { round_to_zero(apart / 360.0) };
     let ideal = value + 360.0 * nearest;
     if beyond(ideal, travel) == 0.0 {
         return (ideal, ideal);

@@ -120,8 +120,10 @@ impl Digits {
 
     #[inline]
     fn of(number: u64) -> Self {
-        let high = eight_digits((number / 100_000_000) as u32);
-        let low = eight_digits((number % 100_000_000) as u32);
+        let (high, low) = match number {
+            0..100_000_000 => (0, eight_digits(number as u32)),
+            _ => (eight_digits((number / 100_000_000) as u32), eight_digits((number % 100_000_000) as u32)),
+        };
         let digits = u128::from(low) << 64 | u128::from(high);
         let mut text = [b'0'; 2 * Self::COUNT];
         text[..Self::COUNT].copy_from_slice(&(digits | u128::from_le_bytes([b'0'; 16])).to_le_bytes());

@@ -3,6 +3,7 @@
 use super::lowering::{Lowering, UNPRINTABLE, unprintable};
 use super::picture::{self, BAD_PICTURE};
 use super::placeholder::{Meaning, PLACEHOLDER_ELSEWHERE, PLACEHOLDERS, UNKNOWN_PLACEHOLDER};
+use crate::syntax::spelling::nearest;
 use crate::syntax::tree::{LineTemplate, Span, Spanned, TemplatePiece};
 use mach_runtime::diagnostic::{Diagnostic, Suggestion};
 use mach_runtime::nc::dialect::{Line, Piece, Trigger};
@@ -136,7 +137,7 @@ fn report_unknown(lowering: &mut Lowering<'_>, scene: &Scene<'_>, span: &Span, n
     let message = format!("no placeholder is called `{{{name}}}`");
     let mut diagnostic = Diagnostic::error(&UNKNOWN_PLACEHOLDER, message).at(place, "unknown");
     let known = PLACEHOLDERS.iter().filter(|(_, meaning)| meaning.is_known_in(scene.trigger)).map(|(known, _)| *known);
-    if let Some(meant) = closest(name, known.clone()) {
+    if let Some(meant) = nearest(name, known.clone()) {
         let place = lowering.place(scene.index, &(span.start + 1..span.start + 1 + name.len()));
         let text = format!("did you mean `{{{meant}}}`?");
         diagnostic = diagnostic.suggest(Suggestion { text, place, replacement: meant.to_owned() });
@@ -145,12 +146,6 @@ fn report_unknown(lowering: &mut Lowering<'_>, scene: &Scene<'_>, span: &Span, n
         diagnostic = diagnostic.note(format!("`on {}` knows {}", scene.trigger.name(), known.join(", ")));
     }
     lowering.diagnostics.push(diagnostic);
-}
-
-/// The known name that was probably meant.
-fn closest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    let rated = known.map(|known| (strsim::damerau_levenshtein(&name.to_lowercase(), known), known));
-    rated.filter(|(slips, _)| *slips <= name.len().div_ceil(3)).min().map(|(_, known)| known)
 }
 
 fn report_unprintable(lowering: &mut Lowering<'_>, scene: &Scene<'_>, text: &str, span: &Span) {

@@ -17,10 +17,10 @@ pub(super) static UNREADABLE_MOTION: Code = Code {
 Every program is read back and compared with the CL data. In motion blocks only words can be read (`G1`, `F500.`,
 `SUPA`, `S1=3000`) and comments, and an axis word only once.
 
-    on feed { \"G1 {axes} {feed} WHEN($1)\" }     // a call is no word
+    on feed { \"G1 {axes} {feed} #1=5\" }         // an assignment is no word
     on feed { \"G1 {axes} X0. {feed}\" }          // X twice
 
-Put calls into the blocks of other events.
+Put anything else into the blocks of other events.
 ",
 };
 

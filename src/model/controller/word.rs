@@ -3,8 +3,9 @@
 use super::LACKING;
 use super::lowering::{Lowering, inside};
 use super::picture::{self, BAD_PICTURE, PictureError};
+use crate::syntax::spelling::nearest;
 use crate::syntax::tree::{ControllerStatement, Name, Text};
-use mach_runtime::diagnostic::{Code, Diagnostic};
+use mach_runtime::diagnostic::{Code, Diagnostic, Suggestion};
 use mach_runtime::nc::dialect::{LengthUnit, Picture, Word};
 use std::collections::BTreeMap;
 
@@ -128,17 +129,26 @@ fn check_words(lowering: &mut Lowering<'_>, formats: &Formats<'_>) {
     for (index, statement) in lowering.statements() {
         let ControllerStatement::Word { names, format, address: said } = statement else { continue };
         if !formats.contains_key(format.value.as_str()) {
-            let known: Vec<String> = formats.keys().map(|name| format!("`{name}`")).collect();
-            let label =
-                if known.is_empty() { "none is defined".into() } else { format!("known: {}", known.join(", ")) };
-            let message = format!("no format is called `{}`", format.value);
-            lowering.report(&UNKNOWN_FORMAT, message, index, &format.span, label);
+            report_unknown(lowering, formats, index, format);
         }
         match said {
             Some(said) => address(lowering, index, said),
             None => names.iter().for_each(|name| own_name(lowering, index, name)),
         }
     }
+}
+
+fn report_unknown(lowering: &mut Lowering<'_>, formats: &Formats<'_>, index: usize, format: &Name) {
+    let known: Vec<&str> = formats.keys().copied().collect();
+    let label = if known.is_empty() { "none is defined".to_owned() } else { format!("known: {}", known.join(", ")) };
+    let place = lowering.place(index, &format.span);
+    let message = format!("no format is called `{}`", format.value);
+    let mut diagnostic = Diagnostic::error(&UNKNOWN_FORMAT, message).at(place.clone(), label);
+    if let Some(meant) = nearest(&format.value, known) {
+        let text = format!("did you mean `{meant}`?");
+        diagnostic = diagnostic.suggest(Suggestion { text, place, replacement: meant.to_owned() });
+    }
+    lowering.diagnostics.push(diagnostic);
 }
 
 /// Checks an address as it was said.

@@ -1,0 +1,79 @@
+//! A chain that does not lead from the workpiece through the bed to the tool.
+
+use crate::diagnostic::{Code, Diagnostic};
+use crate::model::draft::Draft;
+use crate::syntax::tree::{Link, Span};
+
+/// `w`, `b` or `t` missing, twice, or in the wrong place.
+pub(crate) static ENDS: Code = Code {
+    id: "E0207",
+    title: "the chain does not lead from `w` through `b` to `t`",
+    explanation: "\
+A chain is written as in ISO 10791: it begins with the workpiece `w`, passes the bed `b` once, and ends with the tool
+`t`. The axes before `b` move the workpiece, those after it move the tool.
+
+    chain w C A b X Y Z t      // trunnion table: C on A, the tool moves in X, Y and Z
+    chain w b X Y Z C A t      // fork head: the workpiece stands still
+    chain w Y X b Z t          // three axes, a cross table
+",
+};
+
+pub(crate) fn check(draft: &Draft<'_>) -> Vec<Diagnostic> {
+    let Some(chain) = &draft.chain else { return Vec::new() };
+    let links = &chain.value;
+    let last = links.len().saturating_sub(1);
+    let report = |place: &Station, problem: String, span: Option<&Span>| {
+        let at = span.map_or(chain.at.clone(), |span| chain.at.with(span));
+        super::error(draft, &ENDS, format!("`{}`, {}, {problem}", place.letter, place.meaning), &at, place.rule)
+    };
+    let mut found = Vec::new();
+    for place in &STATIONS {
+        let standing: Vec<(usize, &Span)> =
+            links.iter().enumerate().filter_map(|(i, link)| (place.span)(link).map(|span| (i, span))).collect();
+        let (first_allowed, last_allowed) = (place.allowed)(last);
+        let fits = |index: usize| (first_allowed..=last_allowed).contains(&index);
+        match standing[..] {
+            [] => found.push(report(place, "is missing from the chain".to_owned(), None)),
+            [(index, span)] if !fits(index) => {
+                found.push(report(place, "is in the wrong place".to_owned(), Some(span)))
+            }
+            [_] => {}
+            [_, (_, again), ..] => found.push(report(place, "stands twice in the chain".to_owned(), Some(again))),
+        }
+    }
+    found
+}
+
+/// A place that every chain passes.
+struct Station {
+    letter: char,
+    meaning: &'static str,
+    rule: &'static str,
+    span: fn(&Link) -> Option<&Span>,
+    /// The first and the last index it may have, from the chain's last index.
+    allowed: fn(usize) -> (usize, usize),
+}
+
+static STATIONS: [Station; 3] = [
+    Station {
+        letter: 'w',
+        meaning: "the workpiece",
+        rule: "a chain begins with `w`",
+        span: |link| if let Link::Workpiece(span) = link { Some(span) } else { None },
+        allowed: |_| (0, 0),
+    },
+    Station {
+        letter: 'b',
+        meaning: "the bed",
+        rule: "a chain passes `b` once, between `w` and `t`",
+        span: |link| if let Link::Bed(span) = link { Some(span) } else { None },
+        allowed: |last| (0, last),
+    },
+    Station {
+        letter: 't',
+        meaning: "the tool",
+        rule: "a chain ends with `t`",
+        span: |link| if let Link::Tool(span) = link { Some(span) } else { None },
+        allowed: |last| (last, last),
+    },
+];

@@ -1,0 +1,45 @@
+//! A rotary axis, the nearest to the tool, that turns about the tool.
+
+use super::PARALLEL_SINE;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::model::draft::{AxisDraft, Draft};
+use mach_runtime::machine::Motion;
+
+/// A rotary axis that cannot tilt the tool.
+pub(crate) static ALONG_TOOL: Code = Code {
+    id: "E0303",
+    title: "a rotary axis turns about the tool",
+    explanation: "\
+Of the rotary axes, the one nearest to the tool in the chain must not turn about the tool itself: turning it changes
+nothing in the direction of the tool, and with two rotary axes only one of them is left to tilt it.
+
+    chain w A C b X Y Z t
+    rotary A about +x
+    rotary C about +z        // the last rotary axis before the tool
+    tool along +z            // and the tool is along it
+
+Often the order in the chain is wrong: on a trunnion table, C carries the workpiece and A carries C: `chain w C A b …`.
+",
+};
+
+pub(crate) fn check(draft: &Draft<'_>) -> Vec<Diagnostic> {
+    let joints = draft.links().filter_map(|name| draft.axis(&name.value));
+    let rotary: Vec<(usize, &AxisDraft)> = joints.filter(|(_, axis)| axis.motion == Motion::Rotary).collect();
+    let once = |index: usize| rotary.iter().filter(|(other, _)| *other == index).count() == 1;
+    let (Some((index, last)), Some(tool)) = (rotary.last(), &draft.tool) else { return Vec::new() };
+    if !once(*index) {
+        return Vec::new();
+    }
+    let (Some(n), Some(t), Some(direction), Some(along)) = (last.unit(), tool.unit(), &last.direction, &tool.along)
+    else {
+        return Vec::new();
+    };
+    if n.cross(&t).norm() > PARALLEL_SINE {
+        return Vec::new();
+    }
+    let message = format!("{} turns about the tool: it cannot tilt it", last.name.value);
+    let diagnostic = super::error(draft, &ALONG_TOOL, message, &direction.at, "along the tool")
+        .at(draft.sources.place(&along.at), "the tool")
+        .note(format!("{} is the last rotary axis of the chain before the tool", last.name.value));
+    vec![diagnostic]
+}

@@ -1,0 +1,68 @@
+//! The whole compiler on one screen: text in, a model or diagnostics out. It reads through [`Sources`] and does no I/O
+//! of its own.
+
+use crate::check;
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::model::build::build;
+use crate::model::describe::describe;
+use crate::model::dialect::dialect;
+use crate::model::library::Library;
+use crate::model::load::load;
+use crate::model::machine::Model;
+use crate::model::source::SourceMap;
+use crate::model::{family, library};
+
+/// Where machine files come from.
+pub trait Sources {
+    /// The text of a file.
+    ///
+    /// # Errors
+    ///
+    /// Why it cannot be read, in a few words for people (`no such file`).
+    fn read(&self, path: &str) -> Result<String, String>;
+}
+
+/// What compiling a machine gives.
+#[derive(Debug)]
+pub struct Compiled {
+    /// The checked machine.
+    pub model: Model,
+    /// What a user should look at.
+    pub warnings: Vec<Diagnostic>,
+}
+
+/// Compiles the machine that the file `entry` defines, with everything the file uses.
+///
+/// # Errors
+///
+/// Every mistake that was found, in the order of the text (and the warnings with them).
+pub fn compile(entry: &str, sources: &dyn Sources) -> Result<Compiled, Vec<Diagnostic>> {
+    let program = load(entry, sources)?;
+    let mut found = Vec::new();
+
+    let library = Library::collect(&program, &mut found);
+    let Some(machine) = library::entry_machine(&program, &mut found) else { return Err(found) };
+    let Some(statements) = family::of_machine(&library, machine, &mut found) else { return Err(found) };
+    let controller = family::controller(&library, &statements, &mut found);
+    let draft = describe(&library, &machine, &statements, controller.as_ref(), &mut found);
+    let dialect = controller.as_ref().and_then(|controller| dialect(controller, &draft, &mut found));
+    found.extend(check::all(&draft));
+    refuse_errors(&program.sources, &mut found)?;
+
+    let model = Model { dialect, ..build(&draft) };
+    if let Some(controller) = &controller {
+        found.extend(check::narrow_word::check(&model, &draft, &controller.statements));
+    }
+    refuse_errors(&program.sources, &mut found)?;
+    Ok(Compiled { model, warnings: found })
+}
+
+/// Puts what was found in the order of the text, and ends the work if an error is among it.
+fn refuse_errors(sources: &SourceMap, found: &mut Vec<Diagnostic>) -> Result<(), Vec<Diagnostic>> {
+    found.sort_by_key(|diagnostic| {
+        let cause = diagnostic.labels.first().map(|label| &label.place);
+        cause.map(|place| (sources.find(&place.file), place.line, place.column))
+    });
+    let refused = found.iter().any(|diagnostic| diagnostic.severity == Severity::Error);
+    if refused { Err(std::mem::take(found)) } else { Ok(()) }
+}

@@ -1,0 +1,91 @@
+//! What a diagnostic is, and the list of every code that machc knows.
+
+pub use mach_runtime::diagnostic::{Code, Diagnostic, Label, Place, Severity, Suggestion};
+pub use mach_runtime::render::{Style, render};
+
+use crate::check;
+use crate::model::{describe, evaluate, family, field, function, library, load, parameter};
+
+/// The codes of the model and of the checks; those of the syntax are listed there.
+static CODES: [&Code; 33] = [
+    &load::CANNOT_READ,
+    &load::USE_CYCLE,
+    &library::DEFINED_TWICE,
+    &check::unknown_axis::UNKNOWN_AXIS,
+    &check::axis_not_in_chain::NOT_IN_CHAIN,
+    &check::axis_twice_in_chain::TWICE,
+    &check::chain_ends::ENDS,
+    &family::SAID_TWICE,
+    &check::missing::MISSING,
+    &library::ONE_MACHINE,
+    &library::UNKNOWN_DEFINITION,
+    &family::LIKE_CYCLE,
+    &check::preference::NO_ROTARY,
+    &describe::DOES_NOT_TURN,
+    &check::direction::NO_DIRECTION,
+    &check::parallel_rotaries::PARALLEL,
+    &check::rotary_along_tool::ALONG_TOOL,
+    &check::linear_span::NO_SPACE,
+    &check::travel::UPSIDE_DOWN,
+    &check::supported::NOT_SUPPORTED,
+    &evaluate::UNKNOWN_NAME,
+    &function::UNKNOWN_FUNCTION,
+    &field::WRONG_UNIT,
+    &evaluate::UNITS_DO_NOT_FIT,
+    &function::ANGLE_NEEDS_UNIT,
+    &evaluate::SHAPE,
+    &evaluate::NOT_FINITE,
+    &parameter::CYCLE,
+    &field::OUT_OF_RANGE,
+    &parameter::RESERVED,
+    &check::written_range::NOT_ONE_TURN,
+    &check::written_range::NOT_ROTARY,
+    &check::narrow_word::NARROW,
+];
+
+/// Every code that machc knows, in the order of their ids.
+pub fn codes() -> Vec<&'static Code> {
+    let lists: [&[&Code]; 6] = [
+        &crate::syntax::parse::CODES,
+        &CODES,
+        &crate::model::controller::CODES,
+        mach_runtime::cl::CODES,
+        &mach_runtime::post::CODES,
+        &mach_runtime::nc::write_error::CODES,
+    ];
+    let mut codes = lists.concat();
+    codes.sort_by_key(|code| code.id);
+    codes
+}
+
+/// The code of this id, in any case.
+pub fn find(id: &str) -> Option<&'static Code> {
+    codes().into_iter().find(|code| code.id.eq_ignore_ascii_case(id))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{codes, find};
+
+    #[test]
+    fn no_two_codes_have_the_same_id() {
+        for pair in codes().windows(2) {
+            assert!(pair[0].id < pair[1].id, "{} stands for two things", pair[0].id);
+        }
+    }
+
+    #[test]
+    fn every_code_explains_itself_on_one_screen() {
+        for code in codes() {
+            assert!(!code.title.is_empty() && !code.title.ends_with('.'), "{}", code.id);
+            assert!(code.explanation.len() > 40, "{}", code.id);
+            assert!(code.explanation.lines().count() <= 24, "{} does not fit a screen", code.id);
+        }
+    }
+
+    #[test]
+    fn an_id_is_found_in_any_case() {
+        assert_eq!(find("e0204").map(|code| code.id), Some("E0204"));
+        assert_eq!(find("E9999"), None);
+    }
+}

@@ -1,0 +1,32 @@
+//! The dialect of a machine: its controller's statements, lowered for its axes.
+
+use super::controller;
+use super::draft::Draft;
+use super::family::Controller;
+use super::source::Location;
+use crate::diagnostic::Diagnostic;
+use crate::syntax::tree::Span;
+use mach_runtime::nc::dialect::Dialect;
+
+/// Lowers the statements that hold for this machine; `None` when something was wrong, which has been said.
+pub(crate) fn dialect(
+    controller: &Controller<'_>,
+    draft: &Draft<'_>,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Option<Dialect> {
+    let (nodes, places): (Vec<_>, Vec<Location>) =
+        controller.statements.iter().map(|statement| (statement.value.clone(), statement.at.clone())).unzip();
+    let mut axes: Vec<&str> = Vec::new();
+    for axis in &draft.axes {
+        if !axes.contains(&axis.name.value.as_str()) {
+            axes.push(&axis.name.value);
+        }
+    }
+    let controller = controller::Controller {
+        name: &controller.name.value.value,
+        at: draft.sources.place(&controller.name.at),
+        statements: &nodes,
+        place: &|index: usize, span: &Span| draft.sources.place(&places[index].with(span)),
+    };
+    controller::lower(&controller, &axes).map_err(|found| diagnostics.extend(found)).ok()
+}

@@ -1,0 +1,114 @@
+//! A machine as it was said, evaluated but not yet checked: what the checks look at.
+
+use super::source::{Located, SourceMap};
+use crate::syntax::tree::{Link, Name, Preference};
+use mach_runtime::machine::{Motion, Strictness};
+use nalgebra::Vector3;
+
+/// A machine in which anything may still be missing or wrong. `None` means not said, or said wrongly and reported.
+pub(crate) struct Draft<'a> {
+    pub(crate) sources: &'a SourceMap,
+    /// The name in the file.
+    pub(crate) name: Located<String>,
+    pub(crate) title: Option<String>,
+    /// Names and values for people.
+    pub(crate) parameters: Vec<(String, String)>,
+    pub(crate) chain: Option<Located<Vec<Link>>>,
+    /// In the order of declaration; no name twice.
+    pub(crate) axes: Vec<AxisDraft>,
+    pub(crate) tool: Option<ToolDraft>,
+    pub(crate) zero_mm: Option<Vector3<f64>>,
+    pub(crate) axis_tolerance_deg: Option<f64>,
+    pub(crate) chord_tolerance_mm: Option<f64>,
+    pub(crate) unknown_records: Option<Strictness>,
+    pub(crate) start: Vec<Located<Preference>>,
+    pub(crate) then: Vec<Located<Preference>>,
+    pub(crate) reposition: Option<Strictness>,
+    /// What the machine and its controller say of written ranges.
+    pub(crate) written: Vec<WrittenDraft>,
+}
+
+/// A declared axis.
+pub(crate) struct AxisDraft {
+    pub(crate) name: Located<String>,
+    pub(crate) motion: Motion,
+    /// Of any length.
+    pub(crate) direction: Option<Located<Vector3<f64>>>,
+    pub(crate) point_mm: Option<Vector3<f64>>,
+    /// Millimetres or degrees.
+    pub(crate) travel: Option<Located<[f64; 2]>>,
+    pub(crate) rapid_per_min: Option<f64>,
+}
+
+/// The tool.
+pub(crate) struct ToolDraft {
+    /// Of any length.
+    pub(crate) along: Option<Located<Vector3<f64>>>,
+    pub(crate) gauge_mm: Option<Vector3<f64>>,
+    pub(crate) length_mm: Option<f64>,
+}
+
+/// How an axis is to be written.
+pub(crate) struct WrittenDraft {
+    pub(crate) axis: Located<Name>,
+    /// The range in degrees; `None` for `unwound`.
+    pub(crate) range_deg: Option<Located<[f64; 2]>>,
+    /// Whether the machine itself says so; a controller's definition may speak of axes that this machine has not.
+    pub(crate) of_the_machine: bool,
+}
+
+impl Draft<'_> {
+    /// The axis of this name and its index.
+    pub(crate) fn axis(&self, name: &str) -> Option<(usize, &AxisDraft)> {
+        self.axes.iter().enumerate().find(|(_, axis)| axis.name.value == name)
+    }
+
+    /// The rotary axes in the order of declaration.
+    pub(crate) fn rotaries(&self) -> impl Iterator<Item = &AxisDraft> {
+        self.axes.iter().filter(|axis| axis.motion == Motion::Rotary)
+    }
+
+    /// The axes that the chain names, from the workpiece to the tool.
+    pub(crate) fn links(&self) -> impl Iterator<Item = &Name> {
+        let links = self.chain.iter().flat_map(|chain| &chain.value);
+        links.filter_map(|link| if let Link::Axis { name, .. } = link { Some(name) } else { None })
+    }
+}
+
+impl AxisDraft {
+    /// The unit direction; `None` where there is none.
+    pub(crate) fn unit(&self) -> Option<Vector3<f64>> {
+        self.direction.as_ref().and_then(|direction| unit(&direction.value))
+    }
+}
+
+impl ToolDraft {
+    /// The unit direction; `None` where there is none.
+    pub(crate) fn unit(&self) -> Option<Vector3<f64>> {
+        self.along.as_ref().and_then(|along| unit(&along.value))
+    }
+}
+
+/// Of length one; components that are zero but for rounding are zero. `None` for a vector without a direction.
+pub(crate) fn unit(vector: &Vector3<f64>) -> Option<Vector3<f64>> {
+    let greatest = vector.amax();
+    if greatest == 0.0 || !greatest.is_finite() {
+        return None;
+    }
+    let unit = (vector / greatest).normalize();
+    Some(unit.map(|component| if component.abs() < 4.0 * f64::EPSILON { 0.0 } else { component }).normalize())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::unit;
+    use nalgebra::Vector3;
+
+    #[test]
+    fn rounding_is_not_a_direction() {
+        assert_eq!(unit(&Vector3::new(6e-17, 0.0, 2.0)), Some(Vector3::z()));
+        assert_eq!(unit(&Vector3::new(0.0, -1e-300, 0.0)), Some(-Vector3::y()));
+        assert_eq!(unit(&Vector3::zeros()), None);
+        assert_eq!(unit(&Vector3::new(f64::NAN, f64::INFINITY, 0.0)), None);
+    }
+}

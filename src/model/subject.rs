@@ -1,0 +1,128 @@
+//! What a statement is about: of two statements about the same thing the later definition's holds.
+
+use crate::syntax::tree::{
+    Body, BranchStatement, ControllerStatement, Event, MachineStatement, Name, Span, Stated, ToleranceKind, Trivia,
+};
+
+/// A statement of a definition that can be like another one.
+pub(crate) trait Statement: Clone {
+    /// What it is about. Two statements of one body about the same thing are a mistake.
+    fn subjects(&self) -> Vec<String>;
+
+    /// The statement, which stands at `span`, taken apart so that each part can be replaced on its own.
+    fn parts(&self, span: &Span) -> Vec<(Span, Self)> {
+        vec![(span.clone(), self.clone())]
+    }
+
+    /// Whether it is merged with the family's statement about the same thing instead of replacing it.
+    fn adds_to_family(&self) -> bool {
+        false
+    }
+}
+
+impl Statement for MachineStatement {
+    fn subjects(&self) -> Vec<String> {
+        let subject = match self {
+            Self::Let { name, .. } => format!("let {}", name.value),
+            Self::Chain(_) => "chain".to_owned(),
+            Self::Linear { name, .. } | Self::Rotary { name, .. } => format!("axis {}", name.value),
+            Self::Tool { .. } => "tool".to_owned(),
+            Self::Zero(_) => "zero".to_owned(),
+            Self::Tolerance { kind, .. } => match kind.value {
+                ToleranceKind::Axis => "tolerance axis".to_owned(),
+                ToleranceKind::Chord => "tolerance chord".to_owned(),
+            },
+            Self::Records(_) => "records".to_owned(),
+            Self::Branch(body) => return body.statements.iter().map(|stated| branch_subject(&stated.node)).collect(),
+            Self::Controller { .. } => "controller".to_owned(),
+        };
+        vec![subject]
+    }
+
+    /// A branch block says several things.
+    fn parts(&self, span: &Span) -> Vec<(Span, Self)> {
+        match self {
+            Self::Branch(body) => {
+                let alone = |stated: &Stated<BranchStatement>| Body {
+                    statements: vec![Stated { trivia: Trivia::default(), ..stated.clone() }],
+                    trailing: Vec::new(),
+                };
+                body.statements.iter().map(|stated| (stated.span.clone(), Self::Branch(alone(stated)))).collect()
+            }
+            _ => vec![(span.clone(), self.clone())],
+        }
+    }
+
+    /// What a machine changes of its controller comes on top of what its family changes.
+    fn adds_to_family(&self) -> bool {
+        matches!(self, Self::Controller { .. })
+    }
+}
+
+fn branch_subject(statement: &BranchStatement) -> String {
+    let subject = match statement {
+        BranchStatement::Start(_) => "branch start",
+        BranchStatement::Then(_) => "branch then",
+        BranchStatement::Reposition(_) => "branch reposition",
+    };
+    subject.to_owned()
+}
+
+impl Statement for ControllerStatement {
+    fn subjects(&self) -> Vec<String> {
+        let all = |kind: &str, names: &[Name]| names.iter().map(|name| format!("{kind} {}", name.value)).collect();
+        let subject = match self {
+            Self::Units(_) => "units".to_owned(),
+            Self::Extension(_) => "extension".to_owned(),
+            Self::Comment { .. } => "comment".to_owned(),
+            Self::NoSequence | Self::Sequence { .. } => "sequence".to_owned(),
+            Self::Offset(_) => "offset".to_owned(),
+            Self::UnitsCode { .. } => "code units".to_owned(),
+            Self::FeedCode { .. } => "code feed".to_owned(),
+            Self::Format { name, .. } => format!("format {}", name.value),
+            Self::Word { names, .. } => return all("word", names),
+            Self::WriteRange { axis, .. } | Self::WriteUnwound(axis) => format!("write {}", axis.value),
+            Self::Modal(codes) => return all("modal", codes),
+            Self::On { event, .. } => format!("on {}", event_words(event.value)),
+        };
+        vec![subject]
+    }
+
+    /// A list of words is one statement a word.
+    fn parts(&self, span: &Span) -> Vec<(Span, Self)> {
+        match self {
+            Self::Word { names, format, address } => {
+                let word = |name: &Name| Self::Word {
+                    names: vec![name.clone()],
+                    format: format.clone(),
+                    address: address.clone(),
+                };
+                names.iter().map(|name| (span.clone(), word(name))).collect()
+            }
+            _ => vec![(span.clone(), self.clone())],
+        }
+    }
+}
+
+/// An event as it is written.
+fn event_words(event: Event) -> &'static str {
+    match event {
+        Event::Start => "start",
+        Event::End => "end",
+        Event::Operation => "operation",
+        Event::Tool => "tool",
+        Event::SpindleClockwise => "spindle clockwise",
+        Event::SpindleCounterclockwise => "spindle counterclockwise",
+        Event::SpindleOff => "spindle off",
+        Event::CoolantFlood => "coolant flood",
+        Event::CoolantMist => "coolant mist",
+        Event::CoolantThrough => "coolant through",
+        Event::CoolantOff => "coolant off",
+        Event::Stop => "stop",
+        Event::OptionalStop => "optional stop",
+        Event::Dwell => "dwell",
+        Event::Message => "message",
+        Event::Rapid => "rapid",
+        Event::Feed => "feed",
+    }
+}

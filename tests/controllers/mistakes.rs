@@ -1,0 +1,106 @@
+//! What is wrong with a controller is found, each mistake at its place.
+
+use crate::describe::dialect;
+use mach_runtime::diagnostic::Diagnostic;
+use mach_runtime::nc::dialect::Piece;
+
+/// A controller without a mistake.
+const RIGHT: &str = include_str!("right.mach");
+
+const AXES: [&str; 5] = ["X", "Y", "Z", "A", "C"];
+
+/// The diagnostics of the right controller with one change.
+fn changed(from: &str, to: &str) -> Vec<Diagnostic> {
+    assert!(RIGHT.contains(from), "{from}");
+    dialect(&RIGHT.replace(from, to), &AXES).map(|_| Vec::new()).unwrap_or_else(|diagnostics| diagnostics)
+}
+
+/// A diagnostic's code and the text it marks.
+fn marks(diagnostics: &[Diagnostic]) -> Vec<(&str, &str)> {
+    let mark = |diagnostic: &'_ Diagnostic| -> (&'static str, std::ops::Range<usize>) {
+        let place = &diagnostic.labels[0].place;
+        (diagnostic.code.id, place.start..place.end)
+    };
+    diagnostics.iter().map(|it| (mark(it).0, &it.labels[0].place.excerpt[mark(it).1])).collect()
+}
+
+#[test]
+fn the_right_controller_is_right() {
+    assert_eq!(marks(&changed("plain", "simple")), []);
+}
+
+#[test]
+fn each_mistake_has_its_code_and_place() {
+    let cases = [
+        ("####.###", "####.#0", ("E0520", "0")),
+        ("###.####", "###,####", ("E0520", ",")),
+        ("\"0.0\"", "\"-0\"", ("E0520", "-0")),
+        ("{tool:00}", "{tool:0#}", ("E0520", "#")),
+        ("word F feed", "word F fed", ("E0521", "fed")),
+        ("word A C length", "word A C C1 length", ("E0522", "C1")),
+        ("word A C length", "word A C length as \"A1\"", ("E0522", "\"A1\"")),
+        ("word A C length", "word A C length as \"A=\"", ("E0522", "plain")),
+        ("word A C length", "word A length", ("E0523", "plain")),
+        ("word F feed", "word D feed", ("E0523", "plain")),
+        ("on rapid { \"G0 {axes}\" }", "", ("E0523", "plain")),
+        ("T{tool:00}", "{units}", ("E0523", "{units}")),
+        ("{tool:00}", "{toll}", ("E0524", "{toll}")),
+        ("{tool:00}", "{speed}", ("E0525", "{speed}")),
+        ("{tool:00}", "{offset:00}", ("E0525", "{offset:00}")),
+        ("\"G0 {axes}\"", "\"G0\"", ("E0526", "rapid")),
+        ("\"G0 {axes}\"", "\"G0 {axes}\" \"{axes}\"", ("E0526", "rapid")),
+        ("{axes} {feed}", "{axes}", ("E0526", "feed")),
+        ("start 1", "start 1.5", ("E0527", "1.5")),
+        ("start 1", "start 1 mm", ("E0527", "1 mm")),
+        ("step 1", "step 0", ("E0527", "0")),
+        ("greatest 9", "greatest 0", ("E0527", "0")),
+        ("modal G0 G1", "modal G0 G1 modal G2 G0", ("E0528", "G0")),
+        ("\"G54\"", "\"G54°\"", ("E0529", "°")),
+        ("M6", "M6 ä", ("E0529", "ä")),
+        ("\"G0 {axes}\"", "\"G0 {axes} X5.\"", ("E0530", "rapid")),
+        ("{axes} {feed}", "{axes} {feed} #1=5", ("E0530", "feed")),
+    ];
+    for (from, to, expected) in cases {
+        let diagnostics = changed(from, to);
+        assert_eq!(marks(&diagnostics).first(), Some(&expected), "{to}: {diagnostics:#?}");
+        assert!(marks(&diagnostics).iter().all(|mark| mark.0 == expected.0), "{to}: {diagnostics:#?}");
+    }
+}
+
+#[test]
+fn a_misspelt_placeholder_is_mended_by_its_suggestion() {
+    let diagnostics = changed("{tool:00}", "{toll:00}");
+    let suggestion = diagnostics[0].suggestion.as_ref().expect("a placeholder is close");
+    let place = &suggestion.place;
+    let mut line = place.excerpt.clone();
+    line.replace_range(place.start..place.end, &suggestion.replacement);
+    assert_eq!(line.trim(), "on tool { \"T{tool:00} M6\" }");
+}
+
+#[test]
+fn a_misspelt_format_is_mended_by_its_suggestion() {
+    let diagnostics = changed("word A C length", "word A C lenght");
+    assert_eq!(diagnostics[0].suggestion.as_ref().map(|it| it.replacement.as_str()), Some("length"));
+}
+
+#[test]
+fn all_mistakes_are_found_at_once() {
+    let text = RIGHT.replace("####.###", "####.#0").replace("word F feed", "word F fed").replace("{tool:00}", "{tol}");
+    let diagnostics = dialect(&text, &AXES).expect_err("three mistakes");
+    assert_eq!(marks(&diagnostics), [("E0520", "0"), ("E0521", "fed"), ("E0524", "{tol}")]);
+}
+
+#[test]
+fn codes_of_modal_groups_are_found_where_they_are_codes() {
+    let modal = |template: &str| {
+        let dialect = dialect(&RIGHT.replace("\"T{tool:00} M6\"", template), &AXES).expect("no mistake");
+        let block = &dialect.blocks[0];
+        block.lines[0].pieces.iter().filter(|piece| matches!(piece, Piece::Modal { .. })).count()
+    };
+    assert_eq!(modal(r#""G53 G0 Z0.""#), 1);
+    assert_eq!(modal(r#""G1 G0""#), 2);
+    assert_eq!(modal(r#""(G0 G1) G0""#), 1);
+    assert_eq!(modal(r#""MSG(\"a G0 b\") G1""#), 1);
+    assert_eq!(modal(r#""G0{tool}""#), 0);
+    assert_eq!(modal(r#""G01 XG0""#), 0);
+}

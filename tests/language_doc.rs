@@ -1,0 +1,56 @@
+//! Every example of the language's reference is what it says.
+
+use machc::syntax::event::EVENTS;
+use machc::syntax::parse::parse;
+use machc::syntax::print::print;
+use machc::syntax::unit::UNITS;
+
+const REFERENCE: &str = include_str!("../docs/language.md");
+
+/// An example as a file of its own, with the reference's line on which it begins.
+struct Example {
+    line: usize,
+    text: String,
+}
+
+/// The examples: whole files (```` ```mach ````) and parts of a machine's or a controller's body
+/// (```` ```mach machine ````, ```` ```mach controller ````).
+fn examples() -> Vec<Example> {
+    let mut examples = Vec::new();
+    let mut lines = REFERENCE.lines().enumerate();
+    while let Some((line, fence)) = lines.next() {
+        let Some(kind) = fence.strip_prefix("```mach") else { continue };
+        let body: Vec<&str> = lines.by_ref().map(|(_, text)| text).take_while(|text| *text != "```").collect();
+        let text = match kind.trim() {
+            "" => body.join("\n") + "\n",
+            kind @ ("machine" | "controller") => format!("{kind} example {{\n{}}}\n", indented(&body)),
+            other => panic!("line {}: no such kind of example: {other}", line + 1),
+        };
+        examples.push(Example { line: line + 1, text });
+    }
+    examples
+}
+
+fn indented(lines: &[&str]) -> String {
+    lines.iter().map(|line| if line.is_empty() { "\n".to_owned() } else { format!("    {line}\n") }).collect()
+}
+
+#[test]
+fn every_example_is_taken_and_laid_out_as_the_printer_would() {
+    let examples = examples();
+    assert!(examples.len() >= 15, "only {} examples were found", examples.len());
+    for Example { line, text } in examples {
+        match parse("example.mach", &text) {
+            Ok(file) => assert_eq!(print(&file), text, "the example at line {line} is not in the canonical form"),
+            Err(errors) => panic!("the example at line {line} is refused: {errors:#?}\n{text}"),
+        }
+    }
+}
+
+#[test]
+fn every_unit_and_event_is_in_a_table() {
+    let tables: Vec<&str> = REFERENCE.lines().filter(|line| line.starts_with('|')).collect();
+    for word in UNITS.iter().map(|(unit, _)| unit).chain(EVENTS.iter().map(|(event, _)| event)) {
+        assert!(tables.iter().any(|line| line.contains(&format!("`{word}`"))), "`{word}` is not in the reference");
+    }
+}
