@@ -2,8 +2,7 @@
 
 use mach_runtime::machine::Machine;
 use machc::compile::{Compiled, compile};
-use machc::derive::derive;
-use machc::derive::prove::{Proof, prove};
+use machc::derive::prove::Proof;
 use machc::emit::tables;
 use machc::model::machine::Model;
 use machc::plan::Plan;
@@ -24,9 +23,10 @@ pub(super) struct Prepared {
 /// Compiles a machine file and tells what there is to tell; nothing when it has errors.
 pub(super) fn prepare(file: &str, report: &Report) -> Result<Option<Prepared>, Failure> {
     match compile(file, &Folders) {
-        Ok(Compiled { model, warnings }) => {
+        Ok(Compiled { model, plan, proof, warnings }) => {
             report.tell(&warnings);
-            Ok(Some(proved(model)))
+            let machine = tables::machine(&model);
+            Ok(Some(Prepared { model, machine, plan, proof }))
         }
         Err(diagnostics) => {
             // Without a place it is about the file as a whole: there is no such file.
@@ -37,16 +37,6 @@ pub(super) fn prepare(file: &str, report: &Report) -> Result<Option<Prepared>, F
             Ok(None)
         }
     }
-}
-
-/// # Panics
-/// When inverse and forward do not close: a defect of machc, and no post is better than a wrong one.
-fn proved(model: Model) -> Prepared {
-    let plan = derive(&model);
-    let machine = tables::machine(&model);
-    let proof = prove(&plan, machine.tool_length_mm);
-    assert!(proof.holds(), "inverse and forward of `{}` must close, but they are apart: {proof:?}", model.name);
-    Prepared { model, machine, plan, proof }
 }
 
 /// `Done` or `Refused` for something that is there or not.

@@ -1,6 +1,8 @@
 //! What a machine file says and what the model then holds.
 
 use mach_runtime::machine::{Motion, Preference, Strictness, Travel, Written};
+mod mutations;
+
 use machc::compile::{Sources, compile};
 use machc::diagnostic::{Style, render};
 use machc::model::machine::Model;
@@ -128,4 +130,17 @@ fn machines_of_three_and_four_axes_are_machines() {
     assert_eq!(model(&[("m.mach", &format!("machine m {{ chain w Y' X' b Z t {linear} }}"))]).bed, 2);
     let four = format!("machine m {{ chain w A b X Y Z t {linear} rotary A about +x }}");
     assert_eq!(model(&[("m.mach", &four)]).chain.len(), 4);
+}
+
+#[test]
+fn an_entry_that_is_not_there_is_a_diagnostic() {
+    let diagnostics = compile("m.mach", &Texts(BTreeMap::new())).expect_err("there is no file");
+    assert_eq!(render(&diagnostics, Style::PLAIN).trim_end(), "error[E0201]: cannot read `m.mach`: no such file");
+}
+
+#[test]
+fn parameters_may_come_in_any_order_and_number() {
+    let chained: String = (0..5000).map(|i| format!("let p{i} = p{} + 1 mm\n", i + 1)).collect();
+    let text = TRUNNION.replace("let centre = -20 mm", &format!("{chained} let p5000 = 1 mm let centre = p0"));
+    assert_eq!(model(&[("m.mach", &text)]).axes[3].point_mm.z, 5001.0);
 }
