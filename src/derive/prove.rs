@@ -63,7 +63,8 @@ pub fn check(model: &Model, proof: &Proof) -> Option<Diagnostic> {
         let (tip, axis) = (proof.tip_mm, proof.axis_rad);
         format!("the kinematics of `{}` close only to {tip:.1e} mm and {axis:.1e} rad", model.name)
     };
-    (!proof.holds()).then(|| Diagnostic::error(&NOT_PROVED, message()).note("this is a defect of machc: please report it"))
+    (!proof.holds())
+        .then(|| Diagnostic::error(&NOT_PROVED, message()).note("this is a defect of machc: please report it"))
 }
 
 /// Forward, inverse, and forward again.

@@ -78,34 +78,40 @@ fn constants(model: &Model) -> Vec<String> {
 
 /// Tip (x, y, z) and tool axis (i, j, k) from the joints.
 fn forward(model: &Model, plan: &Plan) -> Vec<String> {
-    let named = |letters: [&str; 3], ids: [Id; 3]| letters.map(str::to_owned).into_iter().zip(ids).collect::<Vec<_>>();
+    let axis = ["i", "j", "k"].into_iter().zip(plan.axis).collect::<Vec<_>>();
+    let tip = ["x", "y", "z"].into_iter().zip(plan.tip).collect::<Vec<_>>();
     let mut notation = notation(model, plan);
-    let mut lines = notation.equations(&named(["i", "j", "k"], plan.axis));
-    lines.extend(notation.equations(&named(["x", "y", "z"], plan.tip)));
-    lines
+    [axis, tip].iter().flat_map(|outputs| equations(&mut notation, outputs)).collect()
 }
 
 /// The joints from tip and tool axis: the rotary ones for each branch, then the linear ones for either.
 fn inverse(model: &Model, plan: &Plan) -> Vec<String> {
-    let of_kind = |ids: &[Id], motion: Motion| -> Vec<(String, Id)> {
+    let of_kind = |ids: &[Id], motion: Motion| -> Vec<(&str, Id)> {
         let all = model.axes.iter().zip(ids);
-        all.filter(|(axis, _)| axis.motion == motion).map(|(axis, &id)| (axis.name.clone(), id)).collect()
+        all.filter(|(axis, _)| axis.motion == motion).map(|(axis, &id)| (axis.name.as_str(), id)).collect()
     };
-    let mut lines = Vec::new();
-    for (index, branch) in plan.branches.iter().enumerate() {
-        let rotary = of_kind(&branch.joints, Motion::Rotary);
-        if rotary.is_empty() {
-            continue;
-        }
-        if plan.branches.len() > 1 {
-            lines.push(format!("solution {}", index + 1));
-        }
-        lines.extend(notation(model, plan).equations(&rotary));
+    let solutions: Vec<_> = plan.branches.iter().map(|branch| of_kind(&branch.joints, Motion::Rotary)).collect();
+    let linear = equations(&mut notation(model, plan), &of_kind(&plan.position, Motion::Linear));
+    if let [only] = &solutions[..] {
+        return [equations(&mut notation(model, plan), only), linear].concat();
     }
-    if plan.branches.len() > 1 {
-        lines.push("and then".to_owned());
+    let mut notation = notation(model, plan);
+    let roots: Vec<Id> = solutions.iter().flatten().map(|&(_, id)| id).collect();
+    let mut lines = notation.shared(&roots);
+    for (index, solution) in solutions.iter().enumerate() {
+        lines.push(format!("solution {}", index + 1));
+        lines.extend(solution.iter().map(|(name, id)| format!("  {}", notation.equation(name, *id))));
     }
-    lines.extend(notation(model, plan).equations(&of_kind(&plan.position, Motion::Linear)));
+    lines.push("for either solution".to_owned());
+    lines.extend(linear.into_iter().map(|line| format!("  {line}")));
+    lines
+}
+
+/// What the outputs share, then the outputs.
+fn equations(notation: &mut Notation<'_>, outputs: &[(&str, Id)]) -> Vec<String> {
+    let roots: Vec<Id> = outputs.iter().map(|&(_, id)| id).collect();
+    let mut lines = notation.shared(&roots);
+    lines.extend(outputs.iter().map(|(name, id)| notation.equation(name, *id)));
     lines
 }
 

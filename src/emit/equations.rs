@@ -24,17 +24,18 @@ impl<'g> Notation<'g> {
         Self { graph, names: inputs.into_iter().collect(), temporaries: 0 }
     }
 
-    /// One line each for what several of these share (as `t1 = …`), then one for each of them.
-    pub fn equations(&mut self, outputs: &[(String, Id)]) -> Vec<String> {
-        let roots: Vec<Id> = outputs.iter().map(|&(_, id)| id).collect();
-        let mut lines: Vec<String> = self.shared(&roots).into_iter().map(|id| self.introduce(id)).collect();
-        for (name, id) in outputs {
-            lines.push(format!("{name} = {}", self.expression(*id)));
-            if !self.is_simple(*id) {
-                self.names.entry(*id).or_insert_with(|| name.clone());
-            }
+    /// One line each for what these share, as `t1 = …`; from then on it is printed by that name.
+    pub fn shared(&mut self, roots: &[Id]) -> Vec<String> {
+        self.used_again(roots).into_iter().map(|id| self.introduce(id)).collect()
+    }
+
+    /// `NAME = …`; from then on the name stands for it.
+    pub fn equation(&mut self, name: &str, id: Id) -> String {
+        let line = format!("{name} = {}", self.operand(id, Binding::Sum));
+        if !self.is_simple(id) {
+            self.names.entry(id).or_insert_with(|| name.to_owned());
         }
-        lines
+        line
     }
 
     fn introduce(&mut self, id: Id) -> String {
@@ -46,7 +47,7 @@ impl<'g> Notation<'g> {
     }
 
     /// What is used more than once and is worth a name, operands before their users.
-    fn shared(&self, roots: &[Id]) -> Vec<Id> {
+    fn used_again(&self, roots: &[Id]) -> Vec<Id> {
         let mut uses: BTreeMap<Id, usize> = BTreeMap::new();
         let mut open: Vec<Id> = roots.to_vec();
         while let Some(id) = open.pop() {
@@ -112,11 +113,12 @@ impl<'g> Notation<'g> {
             Op::Constant(value) if value < 0.0 => (number(value), Sum),
             Op::Constant(value) => (number(value), Atom),
             Op::Input(index) => (self.names.get(&id).cloned().unwrap_or_else(|| format!("in{index}")), Atom),
-            Op::Neg(a) => (format!("-{}", self.operand(a, Product)), Sum),
-            Op::Add(a, b) => self.sum(a, b),
-            Op::Sub(a, b) => (format!("{} - {}", self.operand(a, Sum), self.operand(b, Product)), Sum),
+            Op::Neg(_) | Op::Add(..) | Op::Sub(..) => (self.sum(id), Sum),
             Op::Mul(a, b) if a == b => (format!("{}²", self.squared(a)), Atom),
-            Op::Mul(a, b) => self.product(a, b),
+            Op::Mul(..) => match self.product(id) {
+                (true, text) => (format!("-{text}"), Sum),
+                (false, text) => (text, Product),
+            },
             Op::Div(a, b) => (format!("{} / {}", self.operand(a, Product), self.operand(b, Atom)), Product),
             Op::Sqrt(a) => (format!("√({})", self.operand(a, Sum)), Atom),
             Op::Sin(a) => (format!("sin {}", self.operand(a, Atom)), Atom),
@@ -131,30 +133,91 @@ impl<'g> Notation<'g> {
         }
     }
 
-    /// `a + b`, where a negative number goes last: `x - 5` for `-5 + x`.
-    fn sum(&self, a: Id, b: Id) -> (String, Binding) {
-        let text = match self.graph.as_constant(a) {
-            Some(value) if value < 0.0 => format!("{} - {}", self.operand(b, Binding::Sum), number(-value)),
-            _ => {
-                let mut terms = [self.operand(a, Binding::Sum), self.operand(b, Binding::Sum)];
-                if self.is_simple(a) && self.is_simple(b) {
-                    terms.sort();
-                }
-                terms.join(" + ")
-            }
-        };
-        (text, Binding::Sum)
+    /// A sum of any length: what is positive first, numbers last.
+    fn sum(&self, id: Id) -> String {
+        let mut terms = Vec::new();
+        self.terms(id, false, true, &mut terms);
+        if terms.iter().all(|&(id, _)| self.is_simple(id)) {
+            terms.sort_by_cached_key(|&(id, _)| self.operand(id, Binding::Product));
+        }
+        let mut printed: Vec<(u8, bool, String)> = terms.into_iter().map(|(id, minus)| self.term(id, minus)).collect();
+        printed.sort_by_key(|&(kind, minus, _)| (kind, minus));
+        if printed[0].1
+            && let Some(positive) = printed.iter().position(|&(_, minus, _)| !minus)
+        {
+            let first = printed.remove(positive);
+            printed.insert(0, first);
+        }
+        let mut text = String::new();
+        for (place, (_, minus, term)) in printed.iter().enumerate() {
+            text += match (place, minus) {
+                (0, true) => "-",
+                (0, false) => "",
+                (_, true) => " - ",
+                (_, false) => " + ",
+            };
+            text += term;
+        }
+        text
     }
 
-    /// `a b`: numbers and names before functions, those by their arguments.
-    fn product(&self, a: Id, b: Id) -> (String, Binding) {
-        let key = |id: Id| match self.graph.op(id) {
+    /// The signed terms of nested sums that have no names.
+    fn terms(&self, id: Id, minus: bool, outermost: bool, terms: &mut Vec<(Id, bool)>) {
+        match self.graph.op(id) {
+            _ if self.names.contains_key(&id) && !outermost => terms.push((id, minus)),
+            Op::Add(a, b) => {
+                self.terms(a, minus, false, terms);
+                self.terms(b, minus, false, terms);
+            }
+            Op::Sub(a, b) => {
+                self.terms(a, minus, false, terms);
+                self.terms(b, !minus, false, terms);
+            }
+            Op::Neg(a) => self.terms(a, !minus, false, terms),
+            _ => terms.push((id, minus)),
+        }
+    }
+
+    /// Whether a term is a number (and goes last), its sign, and what follows the sign.
+    fn term(&self, id: Id, minus: bool) -> (u8, bool, String) {
+        match self.graph.op(id) {
+            Op::Constant(value) => (1, minus != (value < 0.0), number(value.abs())),
+            Op::Mul(a, b) if a != b && !self.names.contains_key(&id) => {
+                let (negative, text) = self.product(id);
+                (0, minus != negative, text)
+            }
+            _ => (0, minus, self.operand(id, Binding::Product)),
+        }
+    }
+
+    /// A product of any length, its sign apart: numbers first, then names, then functions by their arguments.
+    fn product(&self, id: Id) -> (bool, String) {
+        let mut factors = Vec::new();
+        self.factors(id, true, &mut factors);
+        let key = |id: &Id| match self.graph.op(*id) {
             Op::Constant(_) => (0, String::new()),
-            Op::Sin(angle) | Op::Cos(angle) if !self.names.contains_key(&id) => (2, self.operand(angle, Binding::Atom)),
+            Op::Sin(angle) | Op::Cos(angle) if !self.names.contains_key(id) => (2, self.operand(angle, Binding::Atom)),
+            Op::Div(..) if !self.names.contains_key(id) => (3, String::new()),
             _ => (1, String::new()),
         };
-        let (a, b) = if key(b) < key(a) { (b, a) } else { (a, b) };
-        (format!("{} {}", self.operand(a, Binding::Product), self.operand(b, Binding::Product)), Binding::Product)
+        factors.sort_by_key(key);
+        let minus = self.graph.as_constant(factors[0]).is_some_and(|value| value < 0.0);
+        let print = |&id: &Id| match self.graph.as_constant(id) {
+            Some(value) => number(value.abs()),
+            None => self.operand(id, Binding::Product),
+        };
+        (minus, factors.iter().map(print).collect::<Vec<_>>().join(" "))
+    }
+
+    /// The factors of nested products that have no names.
+    fn factors(&self, id: Id, outermost: bool, factors: &mut Vec<Id>) {
+        match self.graph.op(id) {
+            Op::Mul(a, b) if a != b && (outermost || !self.names.contains_key(&id)) => {
+                self.factors(a, false, factors);
+                self.factors(b, false, factors);
+            }
+            _ => factors.push(id),
+        }
     }
 
     fn squared(&self, id: Id) -> String {
