@@ -1,7 +1,9 @@
-//! The whole compiler on one screen: text in, a model or diagnostics out. It reads through [`Sources`] and does no I/O
+//! The whole compiler on one screen: text in, a proved machine or diagnostics out. It reads through [`Sources`] and does no I/O
 //! of its own.
 
 use crate::check;
+use crate::derive::derive;
+use crate::derive::prove::{self, Proof};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::model::build::build;
 use crate::model::describe::describe;
@@ -11,6 +13,7 @@ use crate::model::load::load;
 use crate::model::machine::Model;
 use crate::model::source::SourceMap;
 use crate::model::{family, library};
+use crate::plan::Plan;
 
 /// Where machine files come from.
 pub trait Sources {
@@ -27,6 +30,10 @@ pub trait Sources {
 pub struct Compiled {
     /// The checked machine.
     pub model: Model,
+    /// What was derived of it.
+    pub plan: Plan,
+    /// How far the derivation was from exact when it was tried.
+    pub proof: Proof,
     /// What a user should look at.
     pub warnings: Vec<Diagnostic>,
 }
@@ -54,7 +61,12 @@ pub fn compile(entry: &str, sources: &dyn Sources) -> Result<Compiled, Vec<Diagn
         found.extend(check::narrow_word::check(&model, &draft, &controller.statements));
     }
     refuse_errors(&program.sources, &mut found)?;
-    Ok(Compiled { model, warnings: found })
+
+    let plan = derive(&model);
+    let proof = prove::prove(&plan, model.tool.length_mm);
+    found.extend(prove::check(&model, &proof));
+    refuse_errors(&program.sources, &mut found)?;
+    Ok(Compiled { model, plan, proof, warnings: found })
 }
 
 /// Puts what was found in the order of the text, and ends the work if an error is among it.

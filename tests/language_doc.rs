@@ -1,5 +1,6 @@
 //! Every example of the language's reference is what it says.
 
+use machc::compile::{Sources, compile};
 use machc::syntax::event::EVENTS;
 use machc::syntax::parse::parse;
 use machc::syntax::print::print;
@@ -52,5 +53,58 @@ fn every_unit_and_event_is_in_a_table() {
     let tables: Vec<&str> = REFERENCE.lines().filter(|line| line.starts_with('|')).collect();
     for word in UNITS.iter().map(|(unit, _)| unit).chain(EVENTS.iter().map(|(event, _)| event)) {
         assert!(tables.iter().any(|line| line.contains(&format!("`{word}`"))), "`{word}` is not in the reference");
+    }
+}
+
+/// The shipped controllers, and the example that is being compiled.
+struct Library<'a>(&'a str);
+
+impl Sources for Library<'_> {
+    fn read(&self, path: &str) -> Result<String, String> {
+        match path {
+            "example.mach" => Ok(self.0.to_owned()),
+            "controllers/syntec.mach" => Ok(include_str!("../machines/controllers/syntec.mach").to_owned()),
+            "controllers/siemens.mach" => Ok(include_str!("../machines/controllers/siemens.mach").to_owned()),
+            "base.mach" => Ok(BASE.to_owned()),
+            _ => Err("no such file".to_owned()),
+        }
+    }
+}
+
+/// What the parts of the reference are parts of.
+const BASE: &str = r#"
+use "controllers/syntec.mach"
+use "controllers/siemens.mach"
+machine base {
+    chain w C A b X Y Z t
+    linear X along +x
+    linear Y along +y
+    linear Z along +z
+    rotary A about +x
+    rotary C about +z
+    tool along +z
+    controller syntec {}
+}
+"#;
+
+/// The example as a file that defines a machine.
+fn whole(text: &str) -> String {
+    let base = |name: &str| format!("use \"base.mach\"\nmachine {name} like base ");
+    if let Some(body) = text.strip_prefix("machine example ") {
+        return base("example") + body;
+    }
+    if let Some(body) = text.strip_prefix("controller example ") {
+        return base("other") + "{ controller syntec " + body + "}\n";
+    }
+    text.to_owned()
+}
+
+#[test]
+fn every_example_compiles() {
+    for Example { line, text } in examples() {
+        if let Err(errors) = compile("example.mach", &Library(&whole(&text))) {
+            let errors = machc::diagnostic::render(&errors, machc::diagnostic::Style::PLAIN);
+            panic!("the example at line {line} does not compile:\n{errors}");
+        }
     }
 }

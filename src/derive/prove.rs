@@ -1,8 +1,22 @@
 //! The proof that comes with every machine: seeded random poses through inverse and forward.
 
+use crate::model::machine::Model;
 use crate::plan::{Interpreter, Plan};
+use mach_runtime::diagnostic::{Code, Diagnostic};
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, PoseBlock, SolutionBlock};
 use mach_runtime::vector::{angle_rad, norm, sub};
+
+/// E0601.
+pub static NOT_PROVED: Code = Code {
+    id: "E0601",
+    title: "the derived kinematics did not pass their proof",
+    explanation: "\
+Every machine is tried when it is compiled: seeded random poses go through the forward chain, the inverse, and the forward
+chain again. For this machine they did not come back to where they started, so no post is made.
+
+This is a defect of machc, not of the machine file. Please report it with the file. Offsets of many kilometres, which no
+machine has, can bring it about too: check the units of the lengths.",
+};
 
 /// How far the loop may be from closed: tip in millimetres for a machine of metres, axis in radians.
 pub const TIP_BOUND_MM: f64 = 1e-9;
@@ -41,6 +55,15 @@ pub fn prove(plan: &Plan, tool_length_mm: f64) -> Proof {
         close(&mut machine, &joints, tool_length_mm, &mut proof);
     }
     proof
+}
+
+/// The proof's failure, if it failed.
+pub fn check(model: &Model, proof: &Proof) -> Option<Diagnostic> {
+    let message = || {
+        let (tip, axis) = (proof.tip_mm, proof.axis_rad);
+        format!("the kinematics of `{}` close only to {tip:.1e} mm and {axis:.1e} rad", model.name)
+    };
+    (!proof.holds()).then(|| Diagnostic::error(&NOT_PROVED, message()).note("this is a defect of machc: please report it"))
 }
 
 /// Forward, inverse, and forward again.

@@ -4,10 +4,11 @@ pub use mach_runtime::diagnostic::{Code, Diagnostic, Label, Place, Severity, Sug
 pub use mach_runtime::render::{Style, render};
 
 use crate::check;
-use crate::model::{describe, evaluate, family, field, function, library, load, parameter};
+use crate::derive::prove;
+use crate::model::{arithmetic, describe, evaluate, family, field, function, library, load, parameter};
 
 /// The codes of the model and of the checks; those of the syntax are listed there.
-static CODES: [&Code; 33] = [
+static CODES: [&Code; 34] = [
     &load::CANNOT_READ,
     &load::USE_CYCLE,
     &library::DEFINED_TWICE,
@@ -31,7 +32,7 @@ static CODES: [&Code; 33] = [
     &evaluate::UNKNOWN_NAME,
     &function::UNKNOWN_FUNCTION,
     &field::WRONG_UNIT,
-    &evaluate::UNITS_DO_NOT_FIT,
+    &arithmetic::UNITS_DO_NOT_FIT,
     &function::ANGLE_NEEDS_UNIT,
     &evaluate::SHAPE,
     &evaluate::NOT_FINITE,
@@ -41,6 +42,7 @@ static CODES: [&Code; 33] = [
     &check::written_range::NOT_ONE_TURN,
     &check::written_range::NOT_ROTARY,
     &check::narrow_word::NARROW,
+    &prove::NOT_PROVED,
 ];
 
 /// Every code that machc knows, in the order of their ids.

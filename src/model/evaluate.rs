@@ -1,12 +1,13 @@
 //! Expressions: dimensions, vectors and names. The arithmetic itself is `scalar`'s.
 
+use super::arithmetic::UNITS_DO_NOT_FIT;
 use super::function::{self, Function};
 use super::quantity::{Dimension, Value, measure};
 use super::scalar;
 use super::source::{Location, SourceId, SourceMap};
 use crate::diagnostic::{Code, Diagnostic, Suggestion};
 use crate::syntax::spelling::nearest;
-use crate::syntax::tree::{Expression, ExpressionKind, Operator, Span, Spanned, Unit};
+use crate::syntax::tree::{Expression, ExpressionKind, Span, Spanned, Unit};
 use nalgebra::Vector3;
 use std::collections::BTreeMap;
 
@@ -22,23 +23,6 @@ An expression names a parameter that no `let` of the machine (or of the machine 
 
 Names that are always there: `pi`, and the unit vectors `x`, `y` and `z`. Define the parameter with `let`, or mend the
 name. A controller's definition stands alone: it cannot name the parameters of a machine.
-",
-};
-
-/// Two quantities that cannot be combined.
-pub(crate) static UNITS_DO_NOT_FIT: Code = Code {
-    id: "E0404",
-    title: "these units do not fit together",
-    explanation: "\
-Only quantities of the same kind can be added, subtracted or compared, and a bare number is not a length or an angle
-inside an expression.
-
-    let a = 20 mm + 5          // 5 what?
-    let b = 20 mm + 5 mm       // 25 mm
-    let c = 2 * 20 mm          // 40 mm: a factor needs no unit
-
-A bare number takes the unit of its field only where it stands alone: `travel -30 .. 120`. An exponent is a plain
-number, and a whole one where the base has a unit; a square root needs a square.
 ",
 };
 
@@ -112,7 +96,7 @@ impl<'a> Evaluator<'a> {
         self.diagnostics.push(Diagnostic::error(code, message).at(place, label));
     }
 
-    fn place(&self, source: SourceId, span: &Span) -> mach_runtime::diagnostic::Place {
+    pub(super) fn place(&self, source: SourceId, span: &Span) -> mach_runtime::diagnostic::Place {
         self.sources.place(&Location { source, span: span.clone() })
     }
 
@@ -176,101 +160,6 @@ impl<'a> Evaluator<'a> {
         Some(Value::Vector(Vector3::from(values.map(|value| value.0)), dimension))
     }
 
-    fn binary(&mut self, source: SourceId, operator: Operator, sides: [&Expression; 2]) -> Option<Value> {
-        let (left, right) = (self.evaluate(source, sides[0]), self.evaluate(source, sides[1]));
-        let (left, right) = (left?, right?);
-        match operator {
-            Operator::Add => self.sum(source, ("a + b", "added"), sides, [left, right]),
-            Operator::Subtract => self.sum(source, ("a - b", "subtracted"), sides, [left, right]),
-            Operator::Multiply => self.product(source, sides, left, right),
-            Operator::Divide => self.quotient(source, sides, left, right),
-            Operator::Power => self.power(source, sides, left, right),
-        }
-    }
-
-    fn sum(
-        &mut self,
-        source: SourceId,
-        (formula, done): (&str, &str),
-        sides: [&Expression; 2],
-        values: [Value; 2],
-    ) -> Option<Value> {
-        let (left, right) = (values[0].dimension(), values[1].dimension());
-        if left != right {
-            self.do_not_fit(source, &format!("cannot be {done}"), sides, [left, right]);
-            return None;
-        }
-        match values {
-            [Value::Scalar(a, _), Value::Scalar(b, _)] => Some(Value::Scalar(scalar::evaluate(formula, &[a, b]), left)),
-            [Value::Vector(a, _), Value::Vector(b, _)] => {
-                Some(Value::Vector(a.zip_map(&b, |a, b| scalar::evaluate(formula, &[a, b])), left))
-            }
-            [Value::Scalar(..), Value::Vector(..)] | [Value::Vector(..), Value::Scalar(..)] => {
-                let span = sides[0].span.start..sides[1].span.end;
-                let message = format!("a number and a vector cannot be {done}");
-                self.report(&SHAPE, source, &span, message, "");
-                None
-            }
-        }
-    }
-
-    fn product(&mut self, source: SourceId, sides: [&Expression; 2], left: Value, right: Value) -> Option<Value> {
-        let Some(dimension) = left.dimension().times(right.dimension()) else {
-            return self.beyond_reason(source, sides);
-        };
-        let times = |a: f64, b: f64| scalar::evaluate("a * b", &[a, b]);
-        match (left, right) {
-            (Value::Scalar(a, _), Value::Scalar(b, _)) => Some(Value::Scalar(times(a, b), dimension)),
-            (Value::Scalar(a, _), Value::Vector(v, _)) | (Value::Vector(v, _), Value::Scalar(a, _)) => {
-                Some(Value::Vector(v.map(|component| times(component, a)), dimension))
-            }
-            (Value::Vector(..), Value::Vector(..)) => {
-                let message = "vectors cannot be multiplied with each other".to_owned();
-                self.report(&SHAPE, source, &sides[1].span, message, "a vector");
-                None
-            }
-        }
-    }
-
-    fn quotient(&mut self, source: SourceId, sides: [&Expression; 2], left: Value, right: Value) -> Option<Value> {
-        let Some(dimension) = left.dimension().over(right.dimension()) else {
-            return self.beyond_reason(source, sides);
-        };
-        let over = |a: f64, b: f64| scalar::evaluate("a / b", &[a, b]);
-        match (left, right) {
-            (Value::Scalar(a, _), Value::Scalar(b, _)) => Some(Value::Scalar(over(a, b), dimension)),
-            (Value::Vector(v, _), Value::Scalar(b, _)) => {
-                Some(Value::Vector(v.map(|component| over(component, b)), dimension))
-            }
-            (_, Value::Vector(..)) => {
-                let message = "nothing can be divided by a vector".to_owned();
-                self.report(&SHAPE, source, &sides[1].span, message, "a vector");
-                None
-            }
-        }
-    }
-
-    fn power(&mut self, source: SourceId, sides: [&Expression; 2], left: Value, right: Value) -> Option<Value> {
-        let (Value::Scalar(base, dimension), Value::Scalar(exponent, exponent_dimension)) = (left, right) else {
-            let span = sides[0].span.start..sides[1].span.end;
-            self.report(&SHAPE, source, &span, "a power is made of two numbers, not of a vector".to_owned(), "");
-            return None;
-        };
-        if exponent_dimension != Dimension::NUMBER {
-            let message = "an exponent is a plain number".to_owned();
-            self.report(&UNITS_DO_NOT_FIT, source, &sides[1].span, message, &exponent_dimension.noun());
-            return None;
-        }
-        let whole = exponent.fract() == 0.0 && exponent.abs() <= 8.0;
-        let dimension = match dimension {
-            Dimension::NUMBER => Some(Dimension::NUMBER),
-            _ if whole => dimension.power(exponent as i8),
-            _ => None,
-        };
-        let Some(dimension) = dimension else { return self.beyond_reason(source, sides) };
-        Some(Value::Scalar(scalar::evaluate("pow(a, b)", &[base, exponent]), dimension))
-    }
-
     fn call(&mut self, source: SourceId, name: &Spanned<String>, arguments: &[Expression]) -> Option<Value> {
         let function = function::find(self, source, name, arguments);
         let values: Vec<_> = arguments.iter().map(|argument| self.scalar(source, argument)).collect();
@@ -281,39 +170,12 @@ impl<'a> Evaluator<'a> {
         Some(Value::Scalar(scalar::evaluate(function.formula, &numbers), dimension))
     }
 
-    /// Says that two quantities differ in kind, and offers a unit where one of them is a bare number.
-    pub(crate) fn do_not_fit(
-        &mut self,
-        source: SourceId,
-        cannot: &str,
-        sides: [&Expression; 2],
-        dimensions: [Dimension; 2],
-    ) {
-        let [left, right] = dimensions;
-        let message = format!("{} and {} {cannot}", left.noun(), right.noun());
-        let mut diagnostic = Diagnostic::error(&UNITS_DO_NOT_FIT, message)
-            .at(self.place(source, &sides[1].span), right.noun())
-            .at(self.place(source, &sides[0].span), left.noun());
-        let bare = if right == Dimension::NUMBER { (sides[1], left) } else { (sides[0], right) };
-        if dimensions.contains(&Dimension::NUMBER) {
-            diagnostic.suggestion = self.suggest_unit(source, bare.0, bare.1).map(Box::new);
-        }
-        self.diagnostics.push(diagnostic);
-    }
-
     /// A unit for a bare numeral.
     pub(crate) fn suggest_unit(&self, source: SourceId, bare: &Expression, wanted: Dimension) -> Option<Suggestion> {
         let ExpressionKind::Number { digits, unit: None } = bare.value.as_ref() else { return None };
         let unit = wanted.units().first().copied()?;
         let text = format!("give it a unit: {}", wanted.units().join(", "));
         Some(Suggestion { text, place: self.place(source, &bare.span), replacement: format!("{digits} {unit}") })
-    }
-
-    fn beyond_reason(&mut self, source: SourceId, sides: [&Expression; 2]) -> Option<Value> {
-        let span = sides[0].span.start..sides[1].span.end;
-        let message = "no quantity has such a unit".to_owned();
-        self.report(&UNITS_DO_NOT_FIT, source, &span, message, "its unit has no whole, small exponents");
-        None
     }
 }
 

@@ -1,6 +1,7 @@
 //! The functions of expressions: what they take and what they give.
 
-use super::evaluate::{Evaluator, UNITS_DO_NOT_FIT};
+use super::arithmetic::UNITS_DO_NOT_FIT;
+use super::evaluate::Evaluator;
 use super::quantity::Dimension;
 use super::source::{Location, SourceId};
 use crate::diagnostic::{Code, Diagnostic, Suggestion};

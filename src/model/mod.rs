@@ -3,6 +3,7 @@
 //! `load` reads the files, `library` and `family` find out what is said of the machine, `describe` evaluates it into a
 //! `draft`, and `build` makes a checked draft the model.
 
+pub(crate) mod arithmetic;
 pub(crate) mod build;
 pub mod controller;
 pub(crate) mod describe;

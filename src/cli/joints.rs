@@ -1,0 +1,100 @@
+//! `machc solve --joints`: joint values in, tips and tool axes out.
+
+use std::io::{BufRead, BufReader, Read};
+
+use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock};
+use mach_runtime::machine::Machine;
+use mach_runtime::vector::sub;
+use machc::diagnostic::{Code, Diagnostic, Place};
+use machc::plan::Interpreter;
+use serde::Serialize;
+use serde_json::Value;
+
+use super::files::{cannot_read, open, shown};
+use super::machine::Prepared;
+use super::output::Lines;
+use super::progress::watched;
+use super::report::Report;
+use super::{Failure, Status};
+
+/// The longest line that is read.
+const LONGEST_LINE_BYTES: u64 = 64 * 1024;
+/// So many errors are told; then it is enough.
+const MOST_ERRORS: usize = 20;
+
+/// A line without the values of all axes.
+pub(super) static BAD_JOINTS: Code = Code {
+    id: "E1040",
+    title: "a line does not hold the machine's joint values",
+    explanation: "\
+`machc solve --joints` reads one JSON object a line with the value of every axis of the machine, in millimetres and degrees,
+in machine coordinates:
+
+    {\"X\": 10.0, \"Y\": 0.0, \"Z\": -20.5, \"A\": 30.0, \"C\": 90.0}
+
+An array in the order of the machine file will do, and so will a candidate that `machc solve` has printed
+(`{\"joints\": {…}}`).
+",
+};
+
+/// Where the tool is.
+#[derive(Serialize)]
+struct Pose {
+    line: u64,
+    tip_mm: [f64; 3],
+    axis: [f64; 3],
+}
+
+pub(super) fn run(prepared: &Prepared, file: &str, report: &Report) -> Result<Status, Failure> {
+    let (input, bytes) = open(file)?;
+    let mut input = BufReader::new(watched(input, bytes, report));
+    let mut kinematics = Interpreter::new(&prepared.plan);
+    let mut lines = Lines::stdout();
+    let mut errors = Vec::new();
+    let mut text = Vec::new();
+    for line in 1.. {
+        text.clear();
+        let read = input.by_ref().take(LONGEST_LINE_BYTES).read_until(b'\n', &mut text);
+        if read.map_err(|error| cannot_read(file, &error))? == 0 || errors.len() == MOST_ERRORS {
+            break;
+        }
+        let text = String::from_utf8_lossy(&text);
+        match values(&prepared.machine, text.trim()) {
+            Ok(Some(values)) => lines.add(&pose(&prepared.machine, &mut kinematics, &values, line)),
+            Ok(None) => {}
+            Err(message) => errors.push(refused(file, line, text.trim_end(), message)),
+        }
+        if !lines.flush()? {
+            break;
+        }
+    }
+    Ok(report.tell(&errors))
+}
+
+/// The values in the machine's order; nothing for an empty line.
+fn values(machine: &Machine, text: &str) -> Result<Option<Vec<f64>>, String> {
+    if text.is_empty() {
+        return Ok(None);
+    }
+    let parsed: Value = serde_json::from_str(text).map_err(|error| format!("this is not JSON: {error}"))?;
+    let parsed = parsed.get("joints").unwrap_or(&parsed);
+    let value = |(index, axis): (usize, &mach_runtime::machine::Axis)| {
+        let value = if parsed.is_array() { parsed.get(index) } else { parsed.get(&axis.name) };
+        let value = value.and_then(Value::as_f64).filter(|value| value.is_finite());
+        value.ok_or_else(|| format!("there is no value for axis {}", axis.name))
+    };
+    machine.axes.iter().enumerate().map(value).collect::<Result<_, _>>().map(Some)
+}
+
+fn pose(machine: &Machine, kinematics: &mut Interpreter, values: &[f64], line: u64) -> Pose {
+    let joints = values.iter().map(|value| [*value; LANES]).collect();
+    let mut poses = PoseBlock::ZERO;
+    kinematics.forward(&joints, machine.tool_length_mm, &mut poses);
+    let unsigned_zero = |vector: [f64; 3]| vector.map(|component| component + 0.0);
+    Pose { line, tip_mm: unsigned_zero(sub(poses.tip(0), machine.zero_mm)), axis: unsigned_zero(poses.axis(0)) }
+}
+
+fn refused(file: &str, line: u64, text: &str, message: String) -> Diagnostic {
+    let place = Place { excerpt: text.to_owned(), end: text.len(), ..Place::line(shown(file), line) };
+    Diagnostic::error(&BAD_JOINTS, message).at(place, "expected the values of all axes")
+}

@@ -1,0 +1,45 @@
+//! From the name of a machine file to everything that is made of it.
+
+use mach_runtime::machine::Machine;
+use machc::compile::{Compiled, compile};
+use machc::derive::prove::Proof;
+use machc::emit::tables;
+use machc::model::machine::Model;
+use machc::plan::Plan;
+
+use super::files::{Folders, shown};
+use super::report::Report;
+use super::{Failure, Status};
+
+/// A machine, compiled and proved.
+#[derive(Debug)]
+pub(super) struct Prepared {
+    pub(super) model: Model,
+    pub(super) machine: Machine,
+    pub(super) plan: Plan,
+    pub(super) proof: Proof,
+}
+
+/// Compiles a machine file and tells what there is to tell; nothing when it has errors.
+pub(super) fn prepare(file: &str, report: &Report) -> Result<Option<Prepared>, Failure> {
+    match compile(file, &Folders) {
+        Ok(Compiled { model, plan, proof, warnings }) => {
+            report.tell(&warnings);
+            let machine = tables::machine(&model);
+            Ok(Some(Prepared { model, machine, plan, proof }))
+        }
+        Err(diagnostics) => {
+            // Without a place it is about the file as a whole: there is no such file.
+            if let Some(whole) = diagnostics.iter().find(|diagnostic| diagnostic.labels.is_empty()) {
+                return Err(Failure(whole.message.replace("`-`", &format!("`{}`", shown("-")))));
+            }
+            report.tell(&diagnostics);
+            Ok(None)
+        }
+    }
+}
+
+/// `Done` or `Refused` for something that is there or not.
+pub(super) fn status<T>(prepared: Option<T>) -> Status {
+    if prepared.is_some() { Status::Done } else { Status::Refused }
+}

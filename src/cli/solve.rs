@@ -1,0 +1,156 @@
+//! `machc solve`.
+
+use mach_runtime::branch::{Candidate, Choice};
+use mach_runtime::cl::Next;
+use mach_runtime::cl::event::{Approach, Point};
+use mach_runtime::kinematics::LANES;
+use mach_runtime::machine::Machine;
+use mach_runtime::path::{PathSolver, Solved};
+use machc::plan::Interpreter;
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
+
+use super::files::cannot_read;
+use super::machine::{Prepared, prepare};
+use super::output::Lines;
+use super::report::{Collected, Report};
+use super::toolpath::{Options, quoted};
+use super::{Failure, Status, joints};
+
+/// Solve every point of a CL file, as JSON lines
+///
+/// Each line holds a point, all candidates of the machine for it, and which of them is chosen. With --joints it goes
+/// the other way round: each line of FILE holds the values of the axes in machine coordinates ({"X": 1, "A": 90, …}),
+/// and each line of the output the tip and the tool axis. Lengths are in mm, angles in degrees, all at full precision.
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// FILE holds joint values instead of CL data
+    #[arg(long)]
+    joints: bool,
+    /// The machine file
+    machine: String,
+    /// The CL file, or the joint values; - reads standard input
+    file: String,
+    #[command(flatten)]
+    options: Options,
+}
+
+pub(super) fn run(arguments: Arguments, report: &mut Report) -> Result<Status, Failure> {
+    let Some(mut prepared) = prepare(&arguments.machine, report)? else { return Ok(Status::Refused) };
+    prepared.machine = arguments.options.equipped(prepared.machine);
+    if arguments.joints {
+        joints::run(&prepared, &arguments.file, report)
+    } else {
+        solve(&prepared, &arguments.file, &arguments.options, report)
+    }
+}
+
+fn solve(prepared: &Prepared, cl: &str, options: &Options, report: &Report) -> Result<Status, Failure> {
+    let machine = &prepared.machine;
+    let mut reader = options.reader(cl, machine, report)?;
+    let mut kinematics = Interpreter::new(&prepared.plan);
+    let mut path = PathSolver::new(machine, &mut kinematics);
+    let mut told = Collected::default();
+    let mut lines = Lines::stdout();
+    let mut unsolved: u64 = 0;
+    let mut points = Vec::with_capacity(LANES);
+    loop {
+        points.clear();
+        let next = reader.next_into(&mut points, LANES).map_err(|error| cannot_read(cl, &error))?;
+        path.solve(&points, &mut |solved| {
+            unsolved += u64::from(solved.joints().is_none());
+            lines.add(&Line::new(machine, solved));
+        });
+        match next {
+            Next::Full | Next::Command(..) => {}
+            Next::From(point) => path.solve(&[point], &mut |_| {}),
+            Next::Diagnostic(diagnostic) => told.add(diagnostic),
+            Next::End => break,
+        }
+        if !lines.flush()? {
+            break;
+        }
+    }
+    lines.flush()?;
+    let status = report.tell(&quoted(told.into_diagnostics(), cl));
+    if unsolved > 0 {
+        report.note(&format!("{unsolved} points cannot be reached: their `chosen` is null"));
+        return Ok(Status::Refused);
+    }
+    Ok(status)
+}
+
+/// One point, solved.
+#[derive(Serialize)]
+struct Line<'a> {
+    line: u64,
+    tip_mm: [f64; 3],
+    axis: [f64; 3],
+    rapid: bool,
+    /// Index into the candidates.
+    chosen: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    problem: Option<Problem>,
+    candidates: Vec<Solution<'a>>,
+}
+
+/// Why nothing is chosen.
+#[derive(Serialize)]
+#[serde(rename_all = "snake_case")]
+enum Problem {
+    OutOfReach { deg: f64 },
+    OutOfTravel,
+    Singular,
+}
+
+#[derive(Serialize)]
+struct Solution<'a> {
+    joints: Joints<'a>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    beyond_travel: Option<Beyond<'a>>,
+}
+
+#[derive(Serialize)]
+struct Beyond<'a> {
+    axis: &'a str,
+    by: f64,
+}
+
+/// Axis names with their values, in the machine's order.
+struct Joints<'a>(&'a Machine, &'a [f64]);
+
+impl<'a> Line<'a> {
+    fn new(machine: &'a Machine, solved: &'a Solved<'_>) -> Self {
+        let &Point { line, tip_mm, axis, approach } = solved.point;
+        let (chosen, problem) = match solved.choice {
+            Choice::Candidate { index, .. } => (Some(index), None),
+            Choice::OutOfReach(angle_rad) => (None, Some(Problem::OutOfReach { deg: angle_rad.to_degrees() })),
+            Choice::OutOfTravel(_) => (None, Some(Problem::OutOfTravel)),
+            Choice::Singular => (None, Some(Problem::Singular)),
+        };
+        let candidates = solved.candidates.iter().map(|candidate| Solution::new(machine, candidate)).collect();
+        Self { line, tip_mm, axis, rapid: approach == Approach::Rapid, chosen, problem, candidates }
+    }
+}
+
+impl<'a> Solution<'a> {
+    fn new(machine: &'a Machine, candidate: &'a Candidate) -> Self {
+        let beyond = |obstacle: mach_runtime::branch::Obstacle| Beyond {
+            axis: &machine.axes[obstacle.axis].name,
+            by: obstacle.beyond,
+        };
+        Self { joints: Joints(machine, &candidate.joints), beyond_travel: candidate.obstacle.map(beyond) }
+    }
+}
+
+impl Serialize for Joints<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self(machine, values) = self;
+        let mut map = serializer.serialize_map(Some(values.len()))?;
+        for (axis, value) in machine.axes.iter().zip(*values) {
+            // Adding zero turns -0 into 0.
+            map.serialize_entry(&axis.name, &(value + 0.0))?;
+        }
+        map.end()
+    }
+}

@@ -1,0 +1,72 @@
+//! What `post` and `solve` share: the machine, the CL file, and the options that say what neither of them says.
+
+use std::io::Read;
+
+use clap::ValueEnum;
+use mach_runtime::cl::{Reader, ReaderOptions, quote};
+use mach_runtime::machine::Machine;
+use mach_runtime::nc::dialect::LengthUnit;
+use machc::diagnostic::Diagnostic;
+
+use super::Failure;
+use super::files::{open, shown};
+use super::progress::watched;
+use super::report::Report;
+
+#[derive(Debug, clap::Args)]
+pub(super) struct Options {
+    /// Unit of the CL's lengths where the file has no UNITS record
+    #[arg(long, value_name = "UNIT", value_enum, default_value_t = Unit::Mm)]
+    cl_units: Unit,
+    /// Gauge length of the tool in mm, instead of the machine file's
+    #[arg(long, value_name = "MM", value_parser = length_mm, allow_negative_numbers = true)]
+    tool_length: Option<f64>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Unit {
+    Mm,
+    Inch,
+}
+
+impl Options {
+    /// The machine with the tool that the options give.
+    pub(super) fn equipped(&self, machine: Machine) -> Machine {
+        let tool_length_mm = self.tool_length.unwrap_or(machine.tool_length_mm);
+        Machine { tool_length_mm, ..machine }
+    }
+
+    /// A reader of the CL file.
+    pub(super) fn reader(
+        &self,
+        cl: &str,
+        machine: &Machine,
+        report: &Report,
+    ) -> Result<Reader<Box<dyn Read>>, Failure> {
+        let (input, bytes) = open(cl)?;
+        let options = ReaderOptions {
+            length_unit: match self.cl_units {
+                Unit::Mm => LengthUnit::Millimetre,
+                Unit::Inch => LengthUnit::Inch,
+            },
+            chord_tolerance_mm: machine.chord_tolerance_mm,
+            unknown_records: machine.unknown_records,
+        };
+        Ok(Reader::new(shown(cl), watched(input, bytes, report), options))
+    }
+}
+
+/// Puts the lines into the diagnostics that lack them. What cannot be read a second time stays as it is.
+pub(super) fn quoted(mut diagnostics: Vec<Diagnostic>, cl: &str) -> Vec<Diagnostic> {
+    if let (Ok((input, Some(_))), false) = (open(cl), diagnostics.is_empty()) {
+        let _ = quote(&mut diagnostics, shown(cl), input);
+    }
+    diagnostics
+}
+
+fn length_mm(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(length_mm) if (0.0..=1e4).contains(&length_mm) => Ok(length_mm + 0.0),
+        _ => Err("expected a length from 0 to 10000 mm".to_owned()),
+    }
+}

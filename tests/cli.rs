@@ -1,0 +1,204 @@
+//! The command line from outside: output, diagnostics, exit status, files.
+
+#[path = "cli/machc.rs"]
+mod machc;
+
+use machc::{Run, Workshop};
+use serde_json::Value;
+
+#[test]
+fn a_sound_machine_passes() {
+    let workshop = Workshop::new("check");
+    let Run { status, stdout, stderr } = workshop.run(&["check", "mill.mach", "mill.mach"]);
+    assert_eq!((status, stdout.as_str(), stderr.as_str()), (0, "", ""));
+}
+
+#[test]
+fn a_mistake_in_a_machine_is_shown_and_refused() {
+    let workshop = Workshop::new("mistake");
+    workshop.write("bad.mach", &machc::MILL.replace("rotary A about", "rotary A abuot"));
+    let run = workshop.run(&["check", "bad.mach", "mill.mach"]);
+    assert_eq!(run.status, 1);
+    assert!(run.stderr.starts_with("error[E0"), "{}", run.stderr);
+    assert!(run.stderr.contains("--> bad.mach:34:14\n"), "{}", run.stderr);
+}
+
+#[test]
+fn files_that_are_not_there_are_no_mistake_of_the_input() {
+    let workshop = Workshop::new("missing");
+    for arguments in [
+        &["check", "no.mach"][..],
+        &["show", "no.mach"],
+        &["post", "no.mach", "part.cls"],
+        &["post", "mill.mach", "no.cls"],
+        &["solve", "mill.mach", "no.cls"],
+        &["solve", "--joints", "mill.mach", "no.jsonl"],
+        &["fmt", "no.mach"],
+        &["post", "mill.mach", "part.cls", "-o", "no/part.nc"],
+        &["post", "mill.mach", "part.cls", "-o", "."],
+        &["explain", "E9999"],
+        &["frobnicate"],
+        &["post", "mill.mach", "part.cls", "--tool-length", "long"],
+    ] {
+        let run = workshop.run(arguments);
+        assert_eq!((run.status, run.stdout.as_str()), (2, ""), "{arguments:?}: {}", run.stderr);
+        assert!(!run.stderr.is_empty(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_program_goes_to_standard_output_and_the_certificate_beside_it() {
+    let workshop = Workshop::new("stdout");
+    let run = workshop.run(&["post", "mill.mach", "part.cls"]);
+    assert_eq!(run.status, 0, "{}", run.stderr);
+    assert!(run.stdout.contains("G1 X10.000"), "{}", run.stdout);
+    assert!(run.stderr.contains("certificate"), "{}", run.stderr);
+    let quiet = workshop.run(&["post", "-q", "mill.mach", "part.cls", "-o", "-"]);
+    assert_eq!((quiet.stdout, quiet.stderr.as_str()), (run.stdout, ""));
+}
+
+#[test]
+fn a_program_appears_in_its_file() {
+    let workshop = Workshop::new("file");
+    let printed = workshop.run(&["post", "mill.mach", "part.cls"]).stdout;
+    workshop.write("part.nc", "an older program");
+    let run = workshop.run(&["post", "mill.mach", "part.cls", "-o", "part.nc"]);
+    assert_eq!((run.status, run.stdout.as_str()), (0, ""), "{}", run.stderr);
+    assert_eq!(workshop.read("part.nc"), printed);
+    assert_eq!(workshop.files(), ["mill.mach", "part.cls", "part.nc"]);
+}
+
+#[test]
+fn an_error_leaves_no_output_behind() {
+    let workshop = Workshop::new("no_output");
+    workshop.write("old.nc", "an older program");
+    for (name, text) in machc::BAD_CL {
+        workshop.write_bytes("bad.cls", text);
+        for output in ["old.nc", "new.nc", "-"] {
+            let run = workshop.run(&["post", "mill.mach", "bad.cls", "-o", output]);
+            assert_eq!((run.status, run.stdout.as_str()), (1, ""), "{name}: {}", run.stderr);
+            assert!(run.stderr.contains("--> bad.cls:"), "{name}: {}", run.stderr);
+            assert!(!run.stderr.contains("panicked"), "{name}: {}", run.stderr);
+        }
+        assert_eq!(workshop.read("old.nc"), "an older program");
+        assert_eq!(workshop.files(), ["bad.cls", "mill.mach", "old.nc", "part.cls"], "{name}");
+    }
+}
+
+#[test]
+fn a_point_that_cannot_be_reached_is_shown_with_its_line() {
+    let workshop = Workshop::new("quote");
+    workshop.write("far.cls", "FEDRAT/100\nGOTO/0,0,0\nGOTO/9999,0,0 $$ far\n");
+    let run = workshop.run(&["post", "mill.mach", "far.cls"]);
+    assert!(run.stderr.contains("3 | GOTO/9999,0,0 $$ far\n"), "{}", run.stderr);
+}
+
+#[test]
+fn diagnostics_and_certificates_for_tools() {
+    let workshop = Workshop::new("json");
+    let run = workshop.run(&["--json", "post", "mill.mach", "part.cls"]);
+    let certificate: Value = serde_json::from_str(run.stderr.lines().last().unwrap()).unwrap();
+    assert_eq!(certificate["type"], "certificate");
+    assert_eq!(certificate["points"], 3);
+    assert_eq!(certificate["axes"][0]["name"], "X");
+
+    workshop.write("bad.cls", "FEDRAT/100\nGOTO/0,0,x\n");
+    let run = workshop.run(&["post", "--json", "mill.mach", "bad.cls"]);
+    let diagnostic: Value = serde_json::from_str(run.stderr.lines().next().unwrap()).unwrap();
+    assert_eq!(diagnostic["type"], "diagnostic");
+    assert_eq!(diagnostic["code"], "E1013");
+    let label = &diagnostic["labels"][0];
+    assert_eq!((&label["line"], &label["column"], &label["end_column"]), (&2.into(), &10.into(), &11.into()));
+    assert!(diagnostic["rendered"].as_str().unwrap().starts_with("error[E1013]"));
+
+    let run = workshop.run(&["--json", "check", "no.mach"]);
+    let failure: Value = serde_json::from_str(&run.stderr).unwrap();
+    assert_eq!(failure["type"], "failure");
+}
+
+#[test]
+fn standard_input_is_a_file_like_others() {
+    let workshop = Workshop::new("stdin");
+    let part = workshop.read("part.cls");
+    let run = workshop.run_with(&["post", "mill.mach", "-", "--program", "part"], &part);
+    assert_eq!(run.stdout, workshop.run(&["post", "mill.mach", "part.cls"]).stdout, "{}", run.stderr);
+    assert_eq!(workshop.run_with(&["check", "-"], machc::MILL).status, 0);
+    assert_eq!(workshop.run_with(&["post", "mill.mach", "-"], "GOTO/1").status, 1);
+}
+
+#[test]
+fn solving_goes_both_ways() {
+    let workshop = Workshop::new("solve");
+    let solved = workshop.run(&["solve", "mill.mach", "part.cls"]);
+    assert_eq!(solved.status, 0, "{}", solved.stderr);
+    let lines: Vec<Value> = solved.stdout.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert_eq!(lines.len(), 3);
+    for line in &lines {
+        let chosen = &line["candidates"][line["chosen"].as_u64().unwrap() as usize];
+        let back = workshop.run_with(&["solve", "--joints", "mill.mach", "-"], &chosen.to_string());
+        let pose: Value = serde_json::from_str(&back.stdout).unwrap();
+        for field in ["tip_mm", "axis"] {
+            for i in 0..3 {
+                let off = pose[field][i].as_f64().unwrap() - line[field][i].as_f64().unwrap();
+                assert!(off.abs() < 1e-9, "{pose} {line}");
+            }
+        }
+    }
+}
+
+#[test]
+fn joint_values_that_are_none() {
+    let workshop = Workshop::new("joints");
+    let run = workshop.run_with(&["solve", "--joints", "mill.mach", "-"], "[1,2,3,4,5]\n\n{\"X\":1}\nnonsense\n");
+    assert_eq!(run.status, 1);
+    assert_eq!(run.stdout.lines().count(), 1);
+    assert_eq!(run.stderr.matches("error[E1040]").count(), 2, "{}", run.stderr);
+    assert!(run.stderr.contains("--> <stdin>:3:1\n"), "{}", run.stderr);
+}
+
+#[test]
+fn formatting_in_place_and_to_standard_output() {
+    let workshop = Workshop::new("fmt");
+    workshop.write("untidy.mach", &machc::MILL.replace("    ", "  "));
+    let check = workshop.run(&["fmt", "--check", "untidy.mach"]);
+    assert_eq!((check.status, check.stdout.as_str()), (1, "untidy.mach\n"));
+    let printed = workshop.run_with(&["fmt", "-"], &workshop.read("untidy.mach")).stdout;
+    assert_eq!(workshop.run(&["fmt", "untidy.mach"]).status, 0);
+    assert_eq!(workshop.read("untidy.mach"), printed);
+    assert_eq!(workshop.run(&["fmt", "--check", "untidy.mach"]).status, 0);
+    workshop.write("broken.mach", "machine {");
+    assert_eq!(workshop.run(&["fmt", "broken.mach"]).status, 1);
+    assert_eq!(workshop.read("broken.mach"), "machine {");
+}
+
+#[test]
+fn every_code_is_explained() {
+    let workshop = Workshop::new("explain");
+    let list = workshop.run(&["explain"]).stdout;
+    assert!(list.lines().count() > 60, "{list}");
+    for line in list.lines() {
+        let (id, title) = line.split_once("  ").unwrap();
+        let explained = workshop.run(&["explain", &id.to_lowercase()]);
+        assert!(explained.stdout.starts_with(&format!("{id}: {title}\n\n")), "{id}");
+        assert!(explained.stdout.lines().count() < 30, "{id} does not fit a screen");
+    }
+}
+
+#[test]
+fn a_machine_is_shown() {
+    let workshop = Workshop::new("show");
+    let run = workshop.run(&["show", "mill.mach"]);
+    assert_eq!(run.status, 0, "{}", run.stderr);
+    assert!(run.stdout.contains("w C A b X Y Z t"), "{}", run.stdout);
+}
+
+#[test]
+fn help_fits_the_terminal() {
+    let workshop = Workshop::new("help");
+    for command in ["check", "post", "show", "solve", "fmt", "explain"] {
+        for flag in ["-h", "--help"] {
+            let help = workshop.run(&[command, flag]).stdout;
+            assert!(help.lines().all(|line| line.chars().count() <= 80), "{help}");
+        }
+    }
+}
