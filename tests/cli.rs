@@ -193,6 +193,30 @@ fn a_machine_is_shown() {
 }
 
 #[test]
+fn a_reader_that_has_seen_enough_is_no_failure() {
+    let workshop = Workshop::new("pipe");
+    workshop.write("long.cls", &format!("FEDRAT/100\n{}", "GOTO/0,0,0\nGOTO/1,0,0\n".repeat(20_000)));
+    for arguments in
+        [&["show", "mill.mach"][..], &["solve", "mill.mach", "long.cls"], &["post", "mill.mach", "long.cls"]]
+    {
+        let (status, stderr) = workshop.run_unread(arguments);
+        assert_eq!(status, 0, "{arguments:?}: {stderr}");
+        assert!(!stderr.contains("panicked"), "{stderr}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_is_followed_and_not_replaced() {
+    let workshop = Workshop::new("link");
+    std::os::unix::fs::symlink("real.nc", workshop.path("link.nc")).unwrap();
+    workshop.write("real.nc", "");
+    assert_eq!(workshop.run(&["post", "mill.mach", "part.cls", "-o", "link.nc"]).status, 0);
+    assert!(workshop.read("real.nc").ends_with("M30\n"));
+    assert!(std::fs::symlink_metadata(workshop.path("link.nc")).unwrap().is_symlink());
+}
+
+#[test]
 fn help_fits_the_terminal() {
     let workshop = Workshop::new("help");
     for command in ["check", "post", "show", "solve", "fmt", "explain"] {

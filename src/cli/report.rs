@@ -7,6 +7,7 @@ use mach_runtime::certificate::Certificate;
 use mach_runtime::render::{Style, render};
 use machc::diagnostic::{Diagnostic, Severity};
 use serde::Serialize;
+use terminal_size::{Width, terminal_size_of};
 
 use super::{Failure, Status, json};
 
@@ -38,7 +39,7 @@ impl Report {
             ColorChoice::Always => true,
             ColorChoice::Never => false,
         };
-        Self { json, quiet, style: Style { color, ..Style::PLAIN } }
+        Self { json, quiet, style: Style { color, width: terminal_width() } }
     }
 
     /// Whether a person is watching who wants to know how far the work is.
@@ -80,7 +81,7 @@ impl Report {
         if self.json {
             self.line(&json::Failure::new(&failure.0));
         } else {
-            say(&format!("machc: {}\n", failure.0));
+            say(&format!("error: {}\n", failure.0));
         }
     }
 
@@ -88,6 +89,10 @@ impl Report {
         let text = serde_json::to_string(message).expect("messages are plain data");
         say(&format!("{text}\n"));
     }
+}
+
+fn terminal_width() -> usize {
+    terminal_size_of(stderr()).map_or(Style::PLAIN.width, |(Width(columns), _)| usize::from(columns))
 }
 
 /// Writes to standard error. When nobody listens there, there is nobody to tell.

@@ -1,18 +1,24 @@
 //! CL data: NX CLSF text in, a toolpath of events out, as a stream.
 //!
-//! [`Reader`] takes the text apart: bytes to lines (`source`), lines to records (`record`), records to motion (`motion`,
-//! `arc`) and settings (`setting`). What each record means stands in one list (`words`).
+//! [`Reader`] takes the text apart: bytes to lines (`source`), lines to records (`record`, `argument`), records to motion
+//! (`motion`, `circle`) and settings (`setting`). What each record means stands in one list (`words`). Lines that hold a
+//! GOTO and nothing else, the bulk of every file, take a shortcut (`plain`).
 
 mod arc;
+mod argument;
+mod circle;
 pub mod event;
 mod motion;
 mod number;
+mod once;
 mod plain;
+mod pose;
 mod quote;
 mod reader;
 mod record;
 mod setting;
 mod source;
+mod told;
 mod words;
 
 use crate::diagnostic::Code;
@@ -27,22 +33,22 @@ pub static CODES: &[&Code] = &[
     &record::CUT_RECORD,
     &reader::CUT_OPERATION,
     &reader::NO_MOTION,
-    &reader::TOO_MANY,
+    &told::TOO_MANY,
     &words::UNKNOWN_RECORD,
     &words::NOT_SUPPORTED,
-    &record::MISSING_ARGUMENT,
-    &record::NOT_A_NUMBER,
+    &argument::MISSING_ARGUMENT,
+    &argument::NOT_A_NUMBER,
     &setting::UNKNOWN_WORD,
-    &motion::OUT_OF_RANGE,
-    &motion::ZERO_VECTOR,
-    &motion::OFF_CIRCLE,
-    &motion::OPEN_ARC,
-    &motion::TILTING_ARC,
+    &pose::OUT_OF_RANGE,
+    &pose::ZERO_VECTOR,
+    &circle::OFF_CIRCLE,
+    &circle::OPEN_ARC,
+    &circle::TILTING_ARC,
     &motion::FLAT_FRAME,
     &motion::ODD_FRAME,
-    &motion::NOT_UNIT,
+    &pose::NOT_UNIT,
     &setting::MIXED_UNITS,
-    &motion::INSERTED,
-    &reader::MANY_WARNINGS,
+    &once::INSERTED,
+    &told::MANY_WARNINGS,
     &words::UNKNOWN_RECORD_LEFT_OUT,
 ];

@@ -1,6 +1,5 @@
 //! The reader: records in, points and commands out, one after the other.
 
-use std::collections::BTreeSet;
 use std::io::{self, Read};
 
 use crate::cl::arc::ArcPoints;
@@ -10,13 +9,11 @@ use crate::cl::plain::plain_goto;
 use crate::cl::record::{Outcome, Record};
 use crate::cl::setting::{self, FeedUnit, MIXED_UNITS};
 use crate::cl::source::Source;
+use crate::cl::told::Told;
 use crate::cl::words::{Meaning, meaning};
-use crate::diagnostic::{Code, Diagnostic, Place, Severity};
+use crate::diagnostic::{Code, Diagnostic, Place};
 use crate::machine::Strictness;
 use crate::nc::dialect::LengthUnit;
-
-/// After so many errors, and after so many warnings, no more of them are told.
-const MOST_OF_A_KIND: u32 = 20;
 
 /// The file ends too early.
 pub(super) static CUT_OPERATION: Code = Code {
@@ -34,24 +31,6 @@ pub(super) static NO_MOTION: Code = Code {
     title: "the file has no motion",
     explanation: "\
 There is no GOTO in the file: it is empty, or it is not the CL file that was meant.
-",
-};
-
-/// The end of a long list.
-pub(super) static TOO_MANY: Code = Code {
-    id: "E1006",
-    title: "too many errors",
-    explanation: "\
-After 20 errors reading stops: more of them would help nobody. Often the first one is the cause of the others.
-",
-};
-
-/// The end of a long list of warnings.
-pub(super) static MANY_WARNINGS: Code = Code {
-    id: "W1006",
-    title: "more warnings are left out",
-    explanation: "\
-After 20 warnings about one file no more are told.
 ",
 };
 
@@ -102,10 +81,7 @@ pub struct Reader<R> {
     /// Where the operation that is under way began.
     operation: Option<Place>,
     any_motion: bool,
-    errors: u32,
-    warnings: u32,
-    /// What has been warned of, where once is enough.
-    warned: BTreeSet<(&'static str, String)>,
+    told: Told,
     /// Diagnostics for the end of the file, last one first; there once the end is reached.
     last_words: Option<Vec<Diagnostic>>,
 }
@@ -123,9 +99,7 @@ impl<R: Read> Reader<R> {
             arc: None,
             operation: None,
             any_motion: false,
-            errors: 0,
-            warnings: 0,
-            warned: BTreeSet::new(),
+            told: Told::default(),
             last_words: None,
         }
     }
@@ -161,9 +135,11 @@ impl<R: Read> Reader<R> {
                 Ok(None) => {}
                 Ok(Some(next)) => return Ok(next),
                 Err(diagnostic) => {
-                    if let Some(diagnostic) = self.counted(diagnostic) {
-                        return Ok(Next::Diagnostic(diagnostic));
+                    let Some(diagnostic) = self.told.count(diagnostic, || self.record.word()) else { continue };
+                    if let Some(last) = self.told.enough(&diagnostic) {
+                        self.last_words = Some(vec![last]);
                     }
+                    return Ok(Next::Diagnostic(diagnostic));
                 }
             }
         }
@@ -285,26 +261,6 @@ impl<R: Read> Reader<R> {
         Ok(())
     }
 
-    /// The diagnostic, if it is to be told: warnings of a kind once, and neither kind for ever.
-    fn counted(&mut self, diagnostic: Diagnostic) -> Option<Diagnostic> {
-        if diagnostic.severity == Severity::Error {
-            self.errors += 1;
-            if self.errors >= MOST_OF_A_KIND {
-                let place = diagnostic.labels.first().map(|label| label.place.clone());
-                let end = Diagnostic::error(&TOO_MANY, "too many errors: the rest of the file has not been read");
-                self.last_words = Some(vec![place.into_iter().fold(end, |end, place| end.at(place, ""))]);
-            }
-            return Some(diagnostic);
-        }
-        let word = if diagnostic.code.id == MIXED_UNITS.id { String::new() } else { self.record.word() };
-        if self.warnings > MOST_OF_A_KIND || !self.warned.insert((diagnostic.code.id, word)) {
-            return None;
-        }
-        self.warnings += 1;
-        let last = || Diagnostic::warning(&MANY_WARNINGS, "more warnings about this file are left out");
-        Some(if self.warnings > MOST_OF_A_KIND { last() } else { diagnostic })
-    }
-
     /// What is to be said at the end of the file, last one first.
     fn at_end(&mut self) -> Vec<Diagnostic> {
         let mut found = Vec::new();
@@ -314,7 +270,7 @@ impl<R: Read> Reader<R> {
             let error = Diagnostic::error(&CUT_OPERATION, message);
             found.push(error.at(place, "this operation has no END-OF-PATH"));
         }
-        if !self.any_motion && self.errors == 0 && found.is_empty() {
+        if !self.any_motion && self.told.errors() == 0 && found.is_empty() {
             let error = Diagnostic::error(&NO_MOTION, "there is no motion in this file");
             found.push(error.at(self.record.place(), "the file ends here"));
         }

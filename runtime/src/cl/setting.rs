@@ -1,8 +1,9 @@
 //! Settings: feed, spindle, coolant, units, tools.
 
+use crate::cl::argument::shortened;
 use crate::cl::event::{Command, Coolant, Feed, Spindle};
-use crate::cl::motion::out_of_range;
-use crate::cl::record::{Record, shortened};
+use crate::cl::pose::out_of_range;
+use crate::cl::record::Record;
 use crate::cl::words::closest;
 use crate::diagnostic::{Code, Diagnostic, Suggestion};
 use crate::nc::dialect::LengthUnit;

@@ -1,6 +1,7 @@
 //! The records the reader knows, and what each of them means to it.
 
-use crate::cl::record::{Record, shortened};
+use crate::cl::argument::shortened;
+use crate::cl::record::Record;
 use crate::diagnostic::{Code, Diagnostic, Severity, Suggestion};
 use crate::machine::Strictness;
 
