@@ -65,8 +65,6 @@ impl Clsf {
 
     /// The foot of an operation.
     pub(crate) fn end(&mut self) {
-        self.record("COOLNT/OFF");
-        self.record("SPINDL/OFF");
         self.record("END-OF-PATH");
     }
 

@@ -1,0 +1,28 @@
+//! Machine files, compiled.
+
+use machc::compile::{Sources, compile};
+use machc::diagnostic::{Style, render};
+use machc::model::machine::Model;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The package's folder.
+pub(crate) fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).to_owned()
+}
+
+/// Files below the package's folder.
+pub(crate) struct Files;
+
+impl Sources for Files {
+    fn read(&self, path: &str) -> Result<String, String> {
+        fs::read_to_string(root().join(path)).map_err(|error| error.to_string())
+    }
+}
+
+/// The machine of a file without mistakes and warnings.
+pub(crate) fn model(path: &str, sources: &dyn Sources) -> Model {
+    let compiled = compile(path, sources).unwrap_or_else(|errors| panic!("{}", render(&errors, Style::PLAIN)));
+    assert!(compiled.warnings.is_empty(), "{}", render(&compiled.warnings, Style::PLAIN));
+    compiled.model
+}

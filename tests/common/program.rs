@@ -1,0 +1,49 @@
+//! CL files, posted.
+
+use super::machine::root;
+use mach_runtime::certificate::Certificate;
+use mach_runtime::cl::{Reader, ReaderOptions, quote};
+use mach_runtime::diagnostic::Diagnostic;
+use mach_runtime::machine::Machine;
+use mach_runtime::post::{Job, post};
+use machc::derive::derive;
+use machc::emit::tables;
+use machc::model::machine::Model;
+use machc::plan::Interpreter;
+use std::fs;
+use std::path::Path;
+
+/// What a post gave.
+pub(crate) struct Posted {
+    /// What was written; worth nothing without a certificate.
+    pub(crate) nc: Vec<u8>,
+    /// There when the input had no errors.
+    pub(crate) certificate: Option<Certificate>,
+    /// With the CL lines they speak of.
+    pub(crate) diagnostics: Vec<Diagnostic>,
+}
+
+/// What the reader is told about a CL file of this machine's.
+pub(crate) fn reader_options(machine: &Machine) -> ReaderOptions {
+    ReaderOptions {
+        chord_tolerance_mm: machine.chord_tolerance_mm,
+        unknown_records: machine.unknown_records,
+        ..ReaderOptions::default()
+    }
+}
+
+/// Posts a CL file; the path is from the package's folder.
+pub(crate) fn posted(model: &Model, cl: &str) -> Posted {
+    let machine = tables::machine(model);
+    let dialect = model.dialect.as_ref().expect("a machine with a controller");
+    let text = fs::read(root().join(cl)).unwrap_or_else(|error| panic!("{cl}: {error}"));
+    let program = Path::new(cl).file_stem().and_then(|stem| stem.to_str()).expect("a name in UTF-8");
+    let job = Job { file: cl, program, machine: &machine, dialect };
+    let mut kinematics = Interpreter::new(&derive(model));
+    let reader = Reader::new(cl, text.as_slice(), reader_options(&machine));
+    let (mut nc, mut diagnostics) = (Vec::new(), Vec::new());
+    let certificate = post(job, &mut kinematics, reader, &mut nc, &mut |diagnostic| diagnostics.push(diagnostic))
+        .expect("reading from and writing to memory does not fail");
+    quote(&mut diagnostics, cl, text.as_slice()).expect("reading from memory does not fail");
+    Posted { nc, certificate, diagnostics }
+}

@@ -1,0 +1,104 @@
+//! The kinematics modules of LinuxCNC, described as machines: the same joints for the same poses.
+//!
+//! `tests/linuxcnc/NAME.mach` is the machine, `rows.json` holds for each machine its parameters' values, tips and joints
+//! as the modules compute them, in millimetres and degrees. The modules never solve for the angles, so a row is checked
+//! three ways: the linear joints for its rotary angles, the forward chain of its joints, and the inverse of that pose.
+
+use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock, SolutionBlock};
+use mach_runtime::vector::{Vec3, norm, sub};
+use machc::compile::Sources;
+use machc::derive::derive;
+use machc::model::machine::Model;
+use machc::plan::Interpreter;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::fs;
+
+#[path = "common/machine.rs"]
+mod machine;
+
+/// Of lengths in millimetres and of angles in degrees.
+const BOUND: f64 = 1e-9;
+
+/// One pose.
+#[derive(Deserialize)]
+struct Row {
+    parameters: BTreeMap<String, f64>,
+    tip: Vec3,
+    joints: BTreeMap<String, f64>,
+}
+
+/// Machine files with a row's values behind their `let`s.
+struct Templates<'a>(&'a Row);
+
+impl Sources for Templates<'_> {
+    fn read(&self, path: &str) -> Result<String, String> {
+        let template = machine::Files.read(path)?;
+        let mut left: Vec<&str> = self.0.parameters.keys().map(String::as_str).collect();
+        let text = template.lines().map(|line| {
+            let Some((name, value)) = line.trim_start().strip_prefix("let ").and_then(|rest| rest.split_once(" = "))
+            else {
+                return line.to_owned() + "\n";
+            };
+            left.retain(|parameter| *parameter != name);
+            let unit = value.split_whitespace().nth(1).expect("every parameter has a unit");
+            format!("let {name} = {} {unit}\n", self.0.parameters[name])
+        });
+        let text = text.collect();
+        assert!(left.is_empty(), "no parameter of the machine is called {left:?}");
+        Ok(text)
+    }
+}
+
+/// The row's joints in the order of the model.
+fn joints(model: &Model, row: &Row) -> Vec<f64> {
+    model.axes.iter().map(|axis| row.joints[&axis.name]).collect()
+}
+
+fn close(a: f64, b: f64) -> bool {
+    (a - b).abs() <= BOUND
+}
+
+/// Equal up to whole turns.
+fn same_angle(a_deg: f64, b_deg: f64) -> bool {
+    let turns = ((a_deg - b_deg) / 360.0).round();
+    close(a_deg, b_deg + 360.0 * turns)
+}
+
+fn check(name: &str, model: &Model, row: &Row) {
+    let mut machine = Interpreter::new(&derive(model));
+    let wanted = joints(model, row);
+    let rotary = |axis: usize| model.axes[axis].name.starts_with(['A', 'B', 'C']);
+
+    let mut placed: Vec<f64> = (0..5).map(|axis| if rotary(axis) { wanted[axis] } else { f64::NAN }).collect();
+    machine.position(row.tip, model.tool.length_mm, &mut placed);
+    assert!((0..5).all(|axis| close(placed[axis], wanted[axis])), "{name}: {placed:?} is not {wanted:?}");
+
+    let mut pose = PoseBlock::ZERO;
+    let block = wanted.iter().map(|joint| [*joint; LANES]).collect();
+    machine.forward(&block, model.tool.length_mm, &mut pose);
+    assert!(norm(sub(pose.tip(0), row.tip)) <= BOUND, "{name}: {:?} is not {:?}", pose.tip(0), row.tip);
+
+    let mut solutions = SolutionBlock::new(machine.branch_count(), machine.axis_count());
+    machine.inverse(&pose, model.tool.length_mm, &mut solutions);
+    let is_wanted = |candidate: &Vec<[f64; LANES]>| {
+        let same = |axis| if rotary(axis) { same_angle } else { close }(candidate[axis][0], wanted[axis]);
+        (0..5).all(same)
+    };
+    let candidates: Vec<Vec<f64>> =
+        solutions.branches.iter().map(|branch| branch.iter().map(|joint| joint[0]).collect()).collect();
+    assert!(solutions.branches.iter().any(is_wanted), "{name}: none of {candidates:?} is {wanted:?}");
+}
+
+#[test]
+fn machines_of_linuxcnc_have_the_joints_that_linuxcnc_computes() {
+    let rows = fs::read_to_string(machine::root().join("tests/linuxcnc/rows.json")).expect("readable");
+    let machines: BTreeMap<String, Vec<Row>> = serde_json::from_str(&rows).expect("rows of numbers");
+    assert_eq!(machines.len(), 7);
+    for (name, rows) in machines {
+        assert!(rows.len() >= 6, "{name}");
+        for row in &rows {
+            check(&name, &machine::model(&format!("tests/linuxcnc/{name}.mach"), &Templates(row)), row);
+        }
+    }
+}
