@@ -3,6 +3,7 @@
 use mach_runtime::machine::Machine;
 use machc::compile::{Compiled, compile};
 use machc::derive::prove::Proof;
+use machc::diagnostic::Diagnostic;
 use machc::emit::tables;
 use machc::model::machine::Model;
 use machc::plan::Plan;
@@ -10,6 +11,9 @@ use machc::plan::Plan;
 use super::files::{Folders, shown};
 use super::report::Report;
 use super::{Failure, Status};
+
+/// The code of a file that cannot be read; without a place it is the one that the arguments name.
+const CANNOT_READ: &str = "E0201";
 
 /// A machine, compiled and proved.
 #[derive(Debug)]
@@ -29,9 +33,10 @@ pub(super) fn prepare(file: &str, report: &Report) -> Result<Option<Prepared>, F
             Ok(Some(Prepared { model, machine, plan, proof }))
         }
         Err(diagnostics) => {
-            // Without a place it is about the file as a whole: there is no such file.
-            if let Some(whole) = diagnostics.iter().find(|diagnostic| diagnostic.labels.is_empty()) {
-                return Err(Failure(whole.message.replace("`-`", &format!("`{}`", shown("-")))));
+            let unreadable =
+                |diagnostic: &&Diagnostic| diagnostic.code.id == CANNOT_READ && diagnostic.labels.is_empty();
+            if let Some(entry) = diagnostics.iter().find(unreadable) {
+                return Err(Failure(entry.message.replace("`-`", &format!("`{}`", shown("-")))));
             }
             report.tell(&diagnostics);
             Ok(None)
