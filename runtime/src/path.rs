@@ -27,13 +27,15 @@ pub struct Solved<'s> {
     pub choice: Choice,
     /// What there was to choose from.
     pub candidates: &'s [Candidate],
+    /// Whether there is no position before it.
+    pub is_first: bool,
 }
 
 impl Solved<'_> {
-    /// The chosen joints, in machine coordinates: millimetres and degrees, in the machine's order.
-    pub fn joints(&self) -> Option<&[f64]> {
+    /// The chosen candidate, if one could be chosen.
+    pub fn chosen(&self) -> Option<&Candidate> {
         match self.choice {
-            Choice::Candidate { index, .. } => Some(&self.candidates[index].joints),
+            Choice::Candidate { index, .. } => Some(&self.candidates[index]),
             _ => None,
         }
     }
@@ -63,8 +65,9 @@ impl<'a> PathSolver<'a> {
         }
         self.kinematics.inverse(&self.poses, self.machine.tool_length_mm, &mut self.solutions);
         for (lane, point) in points.iter().enumerate() {
+            let is_first = !self.chooser.has_position();
             let choice = self.chooser.choose(&self.solutions, lane, self.poses.tip(lane), self.kinematics);
-            each(&Solved { point, lane, choice, candidates: self.chooser.candidates() });
+            each(&Solved { point, lane, choice, candidates: self.chooser.candidates(), is_first });
         }
     }
 }

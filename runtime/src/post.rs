@@ -2,7 +2,7 @@
 
 mod refusal;
 
-use crate::branch::{Choice, rotary_travel_deg};
+use crate::branch::{Candidate, Choice};
 use crate::certificate::Certificate;
 use crate::cl::event::{Approach, Command, Coolant, Point, Spindle};
 use crate::cl::{Next, Reader};
@@ -96,8 +96,6 @@ struct Post<'a> {
     /// What has been printed and not yet handed on.
     text: Vec<u8>,
     printed: Printed,
-    /// The joints printed last.
-    previous: Option<Vec<f64>>,
 }
 
 /// What the placeholders of the blocks stand for, as far as the CL has said.
@@ -141,13 +139,14 @@ impl<'a> Post<'a> {
                 poses: PoseBlock::ZERO,
                 joint_values: vec![0.0; axes.len()],
             },
-            previous: None,
         }
     }
 
     fn tell(&mut self, diagnostic: Diagnostic) {
-        self.errors += u32::from(diagnostic.severity == Severity::Error);
-        (self.tell)(diagnostic);
+        if self.errors < MOST_ERRORS {
+            self.errors += u32::from(diagnostic.severity == Severity::Error);
+            (self.tell)(diagnostic);
+        }
     }
 
     /// Hands on what has been printed.
@@ -171,13 +170,13 @@ impl<'a> Post<'a> {
     fn points(&mut self, points: &[Point]) {
         self.printed.lanes.clear();
         let mut diagnostics = Vec::new();
-        let Self { job, path, writer, text, printed, previous, certificate, .. } = self;
-        path.solve(points, &mut |solved| match solved.joints() {
-            Some(joints) => {
-                diagnostics.extend(refusal::of_step(*job, solved, previous.as_deref()));
-                watch(certificate, job.machine, solved, joints, previous);
+        let Self { job, path, writer, text, printed, certificate, .. } = self;
+        path.solve(points, &mut |solved| match solved.chosen() {
+            Some(chosen) => {
+                diagnostics.extend(refusal::of_step(*job, solved, chosen));
+                watch(certificate, solved, chosen);
                 let start = text.len();
-                match writer.motion(solved.point.approach, joints, job.machine.tool_length_mm, text) {
+                match writer.motion(solved.point.approach, &chosen.joints, job.machine.tool_length_mm, text) {
                     Ok(()) => printed.lanes.push((solved.lane, solved.point.line, start..text.len())),
                     Err(error) => diagnostics.push(at_line(&error, job.file, solved.point.line)),
                 }
@@ -284,23 +283,10 @@ impl<'a> Post<'a> {
 }
 
 /// Notes where the axes go and how far the rotaries turn.
-fn watch(
-    certificate: &mut Certificate,
-    machine: &Machine,
-    solved: &Solved<'_>,
-    joints: &[f64],
-    previous: &mut Option<Vec<f64>>,
-) {
-    let line = solved.point.line;
-    certificate.visit(line, joints);
-    match previous {
-        Some(previous) => {
-            if matches!(solved.point.approach, Approach::Feed(_)) {
-                certificate.step(line, rotary_travel_deg(&machine.axes, previous, joints));
-            }
-            previous.copy_from_slice(joints);
-        }
-        None => *previous = Some(joints.to_vec()),
+fn watch(certificate: &mut Certificate, solved: &Solved<'_>, chosen: &Candidate) {
+    certificate.visit(solved.point.line, &chosen.joints);
+    if !solved.is_first && matches!(solved.point.approach, Approach::Feed(_)) {
+        certificate.step(solved.point.line, chosen.rotary_travel_deg);
     }
 }
 
@@ -313,9 +299,9 @@ pub static CODES: [&Code; 7] =
     [&OUT_OF_REACH, &OUT_OF_TRAVEL, &REPOSITION, &SINGULAR, &TOO_MANY_ERRORS, &REPOSITION_WARNING, &NO_FEED_RATE];
 
 /// Whether a choice was forced by the travel in the middle of a cut.
-fn is_reposition(solved: &Solved<'_>, previous: Option<&[f64]>) -> bool {
+fn is_reposition(solved: &Solved<'_>) -> bool {
     let forced = matches!(solved.choice, Choice::Candidate { forced: true, .. });
-    forced && previous.is_some() && matches!(solved.point.approach, Approach::Feed(_))
+    forced && !solved.is_first && matches!(solved.point.approach, Approach::Feed(_))
 }
 
 /// As an error or a warning.

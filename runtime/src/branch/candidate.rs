@@ -13,8 +13,10 @@ pub struct Candidate {
     pub joints: Vec<f64>,
     /// The axis that is farthest beyond its travel, if one is.
     pub obstacle: Option<Obstacle>,
-    /// Each rotary's value with the whole turns that the travel would not let it have.
-    ideal: Vec<f64>,
+    /// The travel of the rotary axes from the previous position (from zero at the start), in degrees, summed.
+    pub rotary_travel_deg: f64,
+    /// The same if the travel's limits let each have the whole turns that are nearest.
+    ideal_travel_deg: f64,
 }
 
 /// An axis beyond its travel.
@@ -28,41 +30,41 @@ pub struct Obstacle {
 
 impl Candidate {
     pub(super) fn new(axes: usize) -> Self {
-        Self { joints: vec![0.0; axes], obstacle: None, ideal: vec![0.0; axes] }
+        Self { joints: vec![0.0; axes], obstacle: None, rotary_travel_deg: 0.0, ideal_travel_deg: 0.0 }
     }
 
     /// Turns the rotaries to where they are nearest to the previous position (to zero at the start) within their travel,
     /// and looks for obstacles.
     pub(super) fn settle(&mut self, axes: &[Axis], previous: Option<&[f64]>) {
-        self.obstacle = None;
-        for (index, axis) in axes.iter().enumerate() {
-            let value = self.joints[index];
+        (self.obstacle, self.rotary_travel_deg, self.ideal_travel_deg) = (None, 0.0, 0.0);
+        for (index, (axis, joint)) in axes.iter().zip(&mut self.joints).enumerate() {
             if axis.motion == Motion::Rotary {
                 let reference = previous.map_or(0.0, |previous| previous[index]);
-                (self.ideal[index], self.joints[index]) = turns(value, reference, axis.travel);
-            } else {
-                self.ideal[index] = value;
+                let (ideal, within) = turns(*joint, reference, axis.travel);
+                self.ideal_travel_deg += (ideal - reference).abs();
+                self.rotary_travel_deg += (within - reference).abs();
+                *joint = within;
             }
-            let beyond = beyond(self.joints[index], axis.travel);
+            let beyond = beyond(*joint, axis.travel);
             if beyond > self.obstacle.map_or(TRAVEL_TOLERANCE, |obstacle| obstacle.beyond) {
                 self.obstacle = Some(Obstacle { axis: index, beyond });
             }
         }
     }
 
-    /// The values it would have without any limit of the travel.
-    pub(super) fn ideal(&self) -> &[f64] {
-        &self.ideal
-    }
-
-    /// Whether the travel had a say.
-    pub(super) fn is_limited(&self) -> bool {
-        self.obstacle.is_some() || self.ideal != self.joints
+    /// The rotary travel without any limit of the travel.
+    pub(super) fn ideal_travel_deg(&self) -> f64 {
+        self.ideal_travel_deg
     }
 
     /// Whether the travel asked for other whole turns.
-    pub(super) fn is_turned(&self, axes: &[Axis]) -> bool {
-        (0..axes.len()).any(|index| axes[index].motion == Motion::Rotary && self.ideal[index] != self.joints[index])
+    pub(super) fn is_turned(&self) -> bool {
+        self.ideal_travel_deg != self.rotary_travel_deg
+    }
+
+    /// Whether the linear axes span space there: the joints are numbers.
+    pub(super) fn is_regular(&self) -> bool {
+        self.joints.iter().sum::<f64>().is_finite()
     }
 }
 

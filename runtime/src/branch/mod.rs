@@ -6,7 +6,7 @@ mod preference;
 pub use candidate::{Candidate, Obstacle};
 
 use crate::kinematics::{Kinematics, SolutionBlock};
-use crate::machine::{Machine, Motion};
+use crate::machine::Machine;
 use crate::vector::Vec3;
 
 /// Below this sine of the angle to the pole the first rotary is free: a few hundred roundings of a unit vector, so that
@@ -52,9 +52,9 @@ impl<'m> Chooser<'m> {
         &self.candidates
     }
 
-    /// The joints of the last point that could be reached.
-    pub fn position(&self) -> Option<&[f64]> {
-        self.previous.as_deref()
+    /// Whether a position has been reached yet.
+    pub fn has_position(&self) -> bool {
+        self.previous.is_some()
     }
 
     /// Chooses among the candidates of one lane, and goes there.
@@ -107,24 +107,18 @@ impl<'m> Chooser<'m> {
     }
 
     fn pick(&self) -> Choice {
-        if self.candidates.iter().any(|candidate| candidate.joints.iter().any(|joint| !joint.is_finite())) {
+        let candidates = &self.candidates;
+        if !candidates.iter().all(Candidate::is_regular) {
             return Choice::Singular;
         }
-        let order = if self.previous.is_some() { &self.machine.branch.then } else { &self.machine.branch.start };
-        let previous = self.previous.as_deref();
-        let axes = &self.machine.axes;
-        let best = |admissible: &dyn Fn(&Candidate) -> bool, ideal: bool| {
-            preference::best(&self.candidates, order, axes, previous, ideal, admissible)
+        let policy = &self.machine.branch;
+        let order = if self.previous.is_some() { &policy.then } else { &policy.start };
+        let Some(index) = preference::best(candidates, order) else {
+            return Choice::OutOfTravel(self.least_beyond());
         };
-        match best(&|candidate| candidate.obstacle.is_none(), false) {
-            Some(index) => {
-                let limited = self.candidates.iter().any(|candidate| candidate.is_limited());
-                let forced =
-                    limited && (best(&|_| true, true) != Some(index) || self.candidates[index].is_turned(axes));
-                Choice::Candidate { index, forced }
-            }
-            None => Choice::OutOfTravel(self.least_beyond()),
-        }
+        let limited = candidates.iter().any(|candidate| candidate.obstacle.is_some() || candidate.is_turned());
+        let forced = limited && (candidates[index].is_turned() || preference::ideal(candidates, order) != Some(index));
+        Choice::Candidate { index, forced }
     }
 
     /// The candidate that is least beyond the travel.
@@ -132,10 +126,4 @@ impl<'m> Chooser<'m> {
         let beyond = |index: &usize| self.candidates[*index].obstacle.map_or(0.0, |obstacle| obstacle.beyond);
         (0..self.candidates.len()).min_by(|a, b| beyond(a).total_cmp(&beyond(b))).expect("every plan has a branch")
     }
-}
-
-/// The travel of the rotary axes from one position to another, in degrees, summed.
-pub(crate) fn rotary_travel_deg(axes: &[crate::machine::Axis], from: &[f64], to: &[f64]) -> f64 {
-    let rotary = |index: &usize| axes[*index].motion == Motion::Rotary;
-    (0..axes.len()).filter(rotary).map(|index| (to[index] - from[index]).abs()).sum()
 }

@@ -1,7 +1,7 @@
 //! Points that the machine cannot go to, as diagnostics.
 
 use super::{Job, is_reposition, severity};
-use crate::branch::{Choice, rotary_travel_deg};
+use crate::branch::{Candidate, Choice};
 use crate::diagnostic::{Code, Diagnostic, Place, Severity};
 use crate::machine::{Axis, Motion};
 use crate::path::Solved;
@@ -123,19 +123,17 @@ fn out_of_travel(job: Job<'_>, solved: &Solved<'_>, index: usize, place: Place) 
 }
 
 /// A point that can be posted, but only by a reposition in the cut.
-pub(super) fn of_step(job: Job<'_>, solved: &Solved<'_>, previous: Option<&[f64]>) -> Option<Diagnostic> {
-    let (previous, joints) = (previous?, solved.joints()?);
-    if !is_reposition(solved, Some(previous)) {
+pub(super) fn of_step(job: Job<'_>, solved: &Solved<'_>, chosen: &Candidate) -> Option<Diagnostic> {
+    if !is_reposition(solved) {
         return None;
     }
-    let turned = rotary_travel_deg(&job.machine.axes, previous, joints);
     let text = "the travel forces a reposition in the middle of a cut";
     let diagnostic = match severity(job.machine.branch.reposition) {
         Severity::Error => Diagnostic::error(&REPOSITION, text),
         Severity::Warning => Diagnostic::warning(&REPOSITION_WARNING, text),
     };
     let place = Place::line(job.file, solved.point.line);
-    Some(diagnostic.at(place, format!("the rotary axes turn by {turned:.3} deg to get here")))
+    Some(diagnostic.at(place, format!("the rotary axes turn by {:.3} deg to get here", chosen.rotary_travel_deg)))
 }
 
 fn direction(solved: &Solved<'_>) -> String {
