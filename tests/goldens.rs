@@ -52,7 +52,7 @@ fn solved(model: &Model, cl: &str) -> (Vec<Row>, Vec<Point>) {
         points.clear();
         let next = reader.next_into(&mut points, 64).expect("reading from memory does not fail");
         path.solve(&points, &mut |solved| {
-            let joints = &solved.chosen().expect("every point is within reach and travel").joints;
+            let joints = solved.chosen().expect("every point is within reach and travel").joints.as_slice();
             rows.push(Row::try_from(joints).expect("five axes"));
         });
         all.extend_from_slice(&points);

@@ -58,7 +58,7 @@ fn solve(prepared: &Prepared, cl: &str, options: &Options, report: &Report) -> R
         points.clear();
         let next = reader.next_into(&mut points, LANES).map_err(|error| cannot_read(cl, &error))?;
         path.solve(&points, &mut |solved| {
-            unsolved += u64::from(solved.joints().is_none());
+            unsolved += u64::from(solved.chosen().is_none());
             lines.add(&Line::new(machine, solved));
         });
         match next {
