@@ -68,7 +68,7 @@ pub fn post<R: Read>(
             Next::End => break,
         }
         if post.errors >= MOST_ERRORS {
-            post.tell(Diagnostic::error(
+            (post.tell)(Diagnostic::error(
                 &TOO_MANY_ERRORS,
                 format!("{} has more errors than are worth telling", job.file),
             ));
@@ -145,9 +145,12 @@ impl<'a> Post<'a> {
         }
     }
 
+    /// A block may have more mistakes than are told.
     fn tell(&mut self, diagnostic: Diagnostic) {
-        self.errors += u32::from(diagnostic.severity == Severity::Error);
-        (self.tell)(diagnostic);
+        if self.errors < MOST_ERRORS {
+            self.errors += u32::from(diagnostic.severity == Severity::Error);
+            (self.tell)(diagnostic);
+        }
     }
 
     /// Hands on what has been printed.

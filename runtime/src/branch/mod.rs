@@ -137,5 +137,5 @@ impl<'m> Chooser<'m> {
 /// The travel of the rotary axes from one position to another, in degrees, summed.
 pub(crate) fn rotary_travel_deg(axes: &[crate::machine::Axis], from: &[f64], to: &[f64]) -> f64 {
     let rotary = |index: &usize| axes[*index].motion == Motion::Rotary;
-    (0..axes.len()).filter(rotary).map(|index| (to[index] - from[index]).abs()).sum()
+    (0..axes.len()).filter(rotary).map(|index| (to[index] - from[index]).abs()).fold(0.0, |sum, step| sum + step)
 }
