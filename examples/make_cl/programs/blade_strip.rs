@@ -25,7 +25,7 @@ fn pose(x: f64, t: f64) -> Pose {
 pub(crate) fn text() -> String {
     let at = |step: u32, steps: u32| 2.0 * f64::from(step) / f64::from(steps) - 1.0;
     let pass = |pass: u32| {
-        let sense = if pass % 2 == 0 { HALF_SPAN_MM } else { -HALF_SPAN_MM };
+        let sense = if pass.is_multiple_of(2) { HALF_SPAN_MM } else { -HALF_SPAN_MM };
         (0..=STEPS).map(move |step| pose(sense * at(step, STEPS), HALF_CHORD_MM * at(pass, PASSES - 1)))
     };
     let cut: Vec<Pose> = (0..PASSES).flat_map(pass).collect();

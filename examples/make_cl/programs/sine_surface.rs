@@ -20,7 +20,7 @@ fn pose(x: f64, y: f64) -> Pose {
 pub(crate) fn text() -> String {
     let at = |step: u32, steps: u32| HALF_MM * (2.0 * f64::from(step) / f64::from(steps) - 1.0);
     let pass = |pass: u32| {
-        let along = move |step| if pass % 2 == 0 { at(step, STEPS) } else { -at(step, STEPS) };
+        let along = move |step| if pass.is_multiple_of(2) { at(step, STEPS) } else { -at(step, STEPS) };
         (0..=STEPS).map(move |step| pose(along(step), at(pass, PASSES - 1)))
     };
     let cut: Vec<Pose> = (0..PASSES).flat_map(pass).collect();
