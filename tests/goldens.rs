@@ -9,9 +9,8 @@ use mach_runtime::cl::{Next, Reader};
 use mach_runtime::diagnostic::Severity;
 use mach_runtime::kinematics::Kinematics;
 use mach_runtime::path::PathSolver;
-use machc::derive::derive;
+use machc::compile::Compiled;
 use machc::emit::tables;
-use machc::model::machine::Model;
 use machc::plan::Interpreter;
 use std::fs;
 
@@ -40,10 +39,10 @@ fn table(path: &str, column: usize) -> Vec<Option<Row>> {
 }
 
 /// The chosen joints of every point, and the points.
-fn solved(model: &Model, cl: &str) -> (Vec<Row>, Vec<Point>) {
+fn solved(Compiled { model, plan, .. }: &Compiled, cl: &str) -> (Vec<Row>, Vec<Point>) {
     assert!(model.axes.iter().map(|axis| axis.name.as_str()).eq(NAMES), "joints are in the order of a row");
     let tables = tables::machine(model);
-    let mut kinematics = Interpreter::new(&derive(model));
+    let mut kinematics = Interpreter::new(plan);
     let mut path = PathSolver::new(&tables, &mut kinematics);
     let text = fs::read(machine::root().join(cl)).expect("readable");
     let mut reader = Reader::new(cl, text.as_slice(), program::reader_options(&tables));
@@ -94,16 +93,16 @@ fn assert_close(found: &[Row], wanted: &[Option<Row>], bound: f64, wrap: bool) {
 
 #[test]
 fn the_joints_of_the_sine_surface_are_the_published_ones() {
-    let model = machine::model("machines/tmv710a.mach", &machine::Files);
+    let machine = machine::compiled("machines/tmv710a.mach", &machine::Files);
     let analytic = table("tests/goldens/sine.csv", 0);
     assert!(analytic.len() == 47 && analytic.iter().all(Option::is_some));
-    assert_close(&solved(&model, SINE).0, &analytic, 1.1e-5, true);
+    assert_close(&solved(&machine, SINE).0, &analytic, 1.1e-5, true);
 }
 
 #[test]
 fn the_words_of_the_sine_surface_are_those_of_nx() {
-    let model = machine::model("machines/tmv710a.mach", &machine::Files);
-    let posted = program::posted(&model, SINE);
+    let machine = machine::compiled("machines/tmv710a.mach", &machine::Files);
+    let posted = program::posted(&machine, SINE);
     assert_eq!(posted.diagnostics, []);
     let nc = String::from_utf8(posted.nc).expect("ASCII");
     let rows = printed(&nc);
@@ -115,8 +114,8 @@ fn the_words_of_the_sine_surface_are_those_of_nx() {
 
 #[test]
 fn numbers_are_printed_as_nx_printed_them() {
-    let model = machine::model("machines/tmv710a.mach", &machine::Files);
-    let nc = program::posted(&model, SINE).nc;
+    let machine = machine::compiled("machines/tmv710a.mach", &machine::Files);
+    let nc = program::posted(&machine, SINE).nc;
     for words in ["X70.711", " Y18.271", " Z21.124", " A23.955", " C315.", " X.483 ", " X0.0 ", " X25. ", " C.002\n"] {
         let found = nc.windows(words.len()).any(|window| window == words.as_bytes());
         assert!(found, "`{words}` is not in\n{}", String::from_utf8_lossy(&nc));
@@ -127,14 +126,14 @@ fn numbers_are_printed_as_nx_printed_them() {
 /// their lengths, in millimetres, for these angles. (45 mm from the axis, that much angle moves the tip as much again.)
 #[test]
 fn the_joints_of_the_impeller_are_the_published_ones() {
-    let model = machine::model("tests/goldens/impeller.mach", &machine::Files);
+    let machine = machine::compiled("tests/goldens/impeller.mach", &machine::Files);
     let published: Vec<Row> = table("tests/goldens/impeller.csv", 0).into_iter().flatten().collect();
     assert_eq!(published.len(), 3);
-    let (rows, points) = solved(&model, "tests/goldens/impeller.cls");
-    let mut kinematics = Interpreter::new(&derive(&model));
+    let (rows, points) = solved(&machine, "tests/goldens/impeller.cls");
+    let mut kinematics = Interpreter::new(&machine.plan);
     for ((row, point), published) in rows.iter().zip(&points).zip(&published) {
         let mut at_published_angles = *published;
-        kinematics.position(point.tip_mm, model.tool.length_mm, &mut at_published_angles);
+        kinematics.position(point.tip_mm, machine.model.tool.length_mm, &mut at_published_angles);
         let found = [&at_published_angles[..3], &row[3..]].concat();
         for (axis, name) in NAMES.into_iter().enumerate() {
             let (found, published) = (found[axis], published[axis]);
@@ -146,8 +145,8 @@ fn the_joints_of_the_impeller_are_the_published_ones() {
 /// As the sine surface's MSYS was printed.
 #[test]
 fn an_msys_of_eight_numbers_is_a_warning() {
-    let model = machine::model("machines/tmv710a.mach", &machine::Files);
-    let posted = program::posted(&model, "tests/goldens/eight_numbers.cls");
+    let machine = machine::compiled("machines/tmv710a.mach", &machine::Files);
+    let posted = program::posted(&machine, "tests/goldens/eight_numbers.cls");
     let [warning] = posted.diagnostics.as_slice() else { panic!("{:?}", posted.diagnostics) };
     assert_eq!((warning.code.id, warning.severity), ("W1001", Severity::Warning));
     assert!(posted.certificate.is_some());

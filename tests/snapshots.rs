@@ -38,7 +38,7 @@ fn fingerprint(bytes: &[u8]) -> u64 {
 fn content(machine: &str, program: &str) -> String {
     let (machine, cl) = (format!("machines/{machine}.mach"), format!("examples/{program}.cls"));
     let source = machine::Files.read(&machine).expect("readable");
-    let posted = program::posted(&machine::model(&machine, &machine::Files), &cl);
+    let posted = program::posted(&machine::compiled(&machine, &machine::Files), &cl);
     let told = render(&posted.diagnostics, Style::PLAIN);
     let mut text = format!("==== {machine}\n{source}\n==== {cl}\n{told}");
     if let Some(certificate) = &posted.certificate {

@@ -115,7 +115,7 @@ impl fmt::Display for Certificate {
         };
         worst(f, "largest tip error", format!("{:.6} mm", self.tip_mm.value), &self.tip_mm)?;
         worst(f, "largest axis error", format!("{:.6} deg", self.axis_rad.value.to_degrees()), &self.axis_rad)?;
-        if self.rotary_step_deg.line != 0 {
+        if self.rotary_step_deg.line != 0 && self.ranges.iter().any(|range| range.axis.motion == Motion::Rotary) {
             let step = format!("{:.3} deg", self.rotary_step_deg.value);
             worst(f, "largest rotary step", step, &self.rotary_step_deg)?;
         }
@@ -126,7 +126,7 @@ impl fmt::Display for Certificate {
 impl fmt::Display for Range {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let unit = if self.axis.motion == Motion::Linear { "mm" } else { "deg" };
-        let span = format!("{:.3} .. {:.3} {unit}", self.least().value, self.greatest.value);
+        let span = format!("{:.3} .. {:.3} {unit}", rounded(self.least().value), rounded(self.greatest.value));
         write!(f, "{:<22}{span:<30}", format!("{} goes", self.axis.name))?;
         match (self.lower_margin().is_finite(), self.upper_margin().is_finite()) {
             (false, false) => write!(f, "no limit"),
@@ -137,4 +137,9 @@ impl fmt::Display for Range {
             }
         }
     }
+}
+
+/// To three decimals, so that what rounds to zero has no minus.
+fn rounded(value: f64) -> f64 {
+    (value * 1000.0).round() / 1000.0 + 0.0
 }

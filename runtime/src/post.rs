@@ -68,7 +68,7 @@ pub fn post<R: Read>(
             Next::End => break,
         }
         if post.errors >= MOST_ERRORS {
-            post.tell(Diagnostic::error(
+            (post.tell)(Diagnostic::error(
                 &TOO_MANY_ERRORS,
                 format!("{} has more errors than are worth telling", job.file),
             ));
@@ -142,6 +142,7 @@ impl<'a> Post<'a> {
         }
     }
 
+    /// A block may have more mistakes than are told.
     fn tell(&mut self, diagnostic: Diagnostic) {
         if self.errors < MOST_ERRORS {
             self.errors += u32::from(diagnostic.severity == Severity::Error);

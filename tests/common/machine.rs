@@ -1,8 +1,7 @@
 //! Machine files, compiled.
 
-use machc::compile::{Sources, compile};
+use machc::compile::{Compiled, Sources, compile};
 use machc::diagnostic::{Style, render};
-use machc::model::machine::Model;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -21,8 +20,8 @@ impl Sources for Files {
 }
 
 /// The machine of a file without mistakes and warnings.
-pub(crate) fn model(path: &str, sources: &dyn Sources) -> Model {
+pub(crate) fn compiled(path: &str, sources: &dyn Sources) -> Compiled {
     let compiled = compile(path, sources).unwrap_or_else(|errors| panic!("{}", render(&errors, Style::PLAIN)));
     assert!(compiled.warnings.is_empty(), "{}", render(&compiled.warnings, Style::PLAIN));
-    compiled.model
+    compiled
 }

@@ -6,9 +6,8 @@ use mach_runtime::cl::{Reader, ReaderOptions, quote};
 use mach_runtime::diagnostic::Diagnostic;
 use mach_runtime::machine::Machine;
 use mach_runtime::post::{Job, post};
-use machc::derive::derive;
+use machc::compile::Compiled;
 use machc::emit::tables;
-use machc::model::machine::Model;
 use machc::plan::Interpreter;
 use std::fs;
 use std::path::Path;
@@ -33,13 +32,13 @@ pub(crate) fn reader_options(machine: &Machine) -> ReaderOptions {
 }
 
 /// Posts a CL file; the path is from the package's folder.
-pub(crate) fn posted(model: &Model, cl: &str) -> Posted {
-    let machine = tables::machine(model);
-    let dialect = model.dialect.as_ref().expect("a machine with a controller");
+pub(crate) fn posted(compiled: &Compiled, cl: &str) -> Posted {
+    let machine = tables::machine(&compiled.model);
+    let dialect = compiled.model.dialect.as_ref().expect("a machine with a controller");
     let text = fs::read(root().join(cl)).unwrap_or_else(|error| panic!("{cl}: {error}"));
     let program = Path::new(cl).file_stem().and_then(|stem| stem.to_str()).expect("a name in UTF-8");
     let job = Job { file: cl, program, machine: &machine, dialect };
-    let mut kinematics = Interpreter::new(&derive(model));
+    let mut kinematics = Interpreter::new(&compiled.plan);
     let reader = Reader::new(cl, text.as_slice(), reader_options(&machine));
     let (mut nc, mut diagnostics) = (Vec::new(), Vec::new());
     let certificate = post(job, &mut kinematics, reader, &mut nc, &mut |diagnostic| diagnostics.push(diagnostic))
