@@ -1,0 +1,108 @@
+//! Parts of a post, each by itself: `cargo bench --bench parts`.
+
+#[path = "throughput/sine_cl.rs"]
+mod sine_cl;
+
+use divan::Bencher;
+use divan::counter::ItemsCount;
+use mach_runtime::cl::{Next, Reader, ReaderOptions};
+use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock, SolutionBlock};
+use mach_runtime::nc::dialect::LengthUnit;
+use mach_runtime::post::{Job, post};
+use machc::compile::{Compiled, Sources, compile};
+use machc::emit::tables;
+use machc::plan::Interpreter;
+
+const MACHINES: [&str; 4] = ["tmv710a", "dmu50ev", "dmu80_monoblock", "endura900"];
+const RECORDS: usize = 10_000;
+
+fn main() {
+    divan::main();
+}
+
+/// The project's files.
+struct Files;
+
+impl Sources for Files {
+    fn read(&self, path: &str) -> Result<String, String> {
+        std::fs::read_to_string(path).map_err(|error| error.to_string())
+    }
+}
+
+fn machine(name: &str) -> Compiled {
+    let path = format!("{}/machines/{name}.mach", env!("CARGO_MANIFEST_DIR"));
+    compile(&path, &Files).expect("a shipped machine compiles")
+}
+
+/// Poses that every machine here can reach: tilted by up to 40 degrees.
+fn poses() -> PoseBlock {
+    let mut poses = PoseBlock::ZERO;
+    for lane in 0..LANES {
+        let (tilt, turn) = (0.01 * (lane + 1) as f64, 0.4 * lane as f64);
+        let (sine, cosine) = libm::sincos(tilt);
+        let axis = [sine * libm::cos(turn), sine * libm::sin(turn), cosine];
+        poses.set(lane, [lane as f64, -2.0 * lane as f64, 10.0], axis);
+    }
+    poses
+}
+
+#[divan::bench(args = MACHINES)]
+fn compile_and_prove(bencher: Bencher<'_, '_>, name: &str) {
+    bencher.bench(|| machine(name));
+}
+
+#[divan::bench(args = MACHINES)]
+fn inverse_all_branches(bencher: Bencher<'_, '_>, name: &str) {
+    let mut interpreter = Interpreter::new(&machine(name).plan);
+    let mut solutions = SolutionBlock::new(interpreter.branch_count(), interpreter.axis_count());
+    let poses = poses();
+    bencher.counter(ItemsCount::new(LANES)).bench_local(|| interpreter.inverse(&poses, 150.0, &mut solutions));
+}
+
+#[divan::bench(args = MACHINES)]
+fn forward(bencher: Bencher<'_, '_>, name: &str) {
+    let mut interpreter = Interpreter::new(&machine(name).plan);
+    let joints = vec![std::array::from_fn(|lane| lane as f64); interpreter.axis_count()];
+    let mut poses = PoseBlock::ZERO;
+    bencher.counter(ItemsCount::new(LANES)).bench_local(|| interpreter.forward(&joints, 150.0, &mut poses));
+}
+
+#[divan::bench]
+fn read_cl(bencher: Bencher<'_, '_>) {
+    let text = sine_cl::records(RECORDS);
+    let tables = machine_tables();
+    bencher.counter(ItemsCount::new(RECORDS)).bench_local(|| {
+        let mut reader = Reader::new("sine.cls", text.as_bytes(), options(&tables));
+        let mut points = Vec::new();
+        while reader.next_into(&mut points, LANES).expect("memory can be read") != Next::End {
+            points.clear();
+        }
+    });
+}
+
+#[divan::bench]
+fn post_with_certificate(bencher: Bencher<'_, '_>) {
+    let text = sine_cl::records(RECORDS);
+    let compiled = machine("tmv710a");
+    let tables = machine_tables();
+    let dialect = compiled.model.dialect.as_ref().expect("the machine has a controller");
+    bencher.counter(ItemsCount::new(RECORDS)).bench_local(|| {
+        let reader = Reader::new("sine.cls", text.as_bytes(), options(&tables));
+        let job = Job { file: "sine.cls", program: "SINE", machine: &tables, dialect };
+        let mut interpreter = Interpreter::new(&compiled.plan);
+        let mut nc = Vec::new();
+        post(job, &mut interpreter, reader, &mut nc, &mut |_| {}).expect("memory can be written")
+    });
+}
+
+fn machine_tables() -> mach_runtime::machine::Machine {
+    tables::machine(&machine("tmv710a").model)
+}
+
+fn options(machine: &mach_runtime::machine::Machine) -> ReaderOptions {
+    ReaderOptions {
+        length_unit: LengthUnit::Millimetre,
+        chord_tolerance_mm: machine.chord_tolerance_mm,
+        unknown_records: machine.unknown_records,
+    }
+}
