@@ -21,7 +21,7 @@ impl Extreme {
     }
 }
 
-/// The range an axis went through, as printed: millimetres or degrees, machine coordinates.
+/// The range an axis went through, as solved: millimetres or degrees, machine coordinates.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Range {
     /// The axis.
@@ -53,7 +53,8 @@ impl Range {
     }
 }
 
-/// What was found when the printed program was read back and compared with the CL.
+/// What was found when the printed program was read back and compared with the CL at every point. What the machine does
+/// between two points, when its axes move linearly, is not compared.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Certificate {
     /// Points of the toolpath, those of arcs included.
@@ -108,7 +109,7 @@ impl Certificate {
 
 impl fmt::Display for Certificate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "certificate: the program was read back and compared with the CL")?;
+        writeln!(f, "certificate: the program was read back and compared with the CL at every point")?;
         writeln!(f, "  {:<22}{} points, {} motion blocks", "toolpath", self.points, self.blocks)?;
         let worst = |f: &mut fmt::Formatter<'_>, title: &str, value: String, extreme: &Extreme| {
             writeln!(f, "  {title:<22}{value} at line {}", extreme.line)
