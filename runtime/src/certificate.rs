@@ -1,6 +1,7 @@
 //! The certificate: how close the printed program is to the CL, and how close the machine comes to its limits.
 
 use crate::machine::{Axis, Motion};
+use crate::vector::{Vec3, cross, dot, norm};
 use std::fmt;
 
 /// The largest of something, and the CL line it was met at.
@@ -86,11 +87,17 @@ impl Certificate {
         }
     }
 
-    /// A point that was printed (perhaps as nothing), with its errors as read back.
-    pub(crate) fn compare(&mut self, line: u64, tip_mm: f64, axis_rad: f64) {
+    /// A point that was printed (perhaps as nothing): the distance of its tip, and its unit axis as read back and as
+    /// wanted.
+    #[inline]
+    pub(crate) fn compare(&mut self, line: u64, tip_mm: f64, axes: [Vec3; 2]) {
         self.points += 1;
         self.tip_mm.meet(tip_mm, line);
-        self.axis_rad.meet(axis_rad, line);
+        // An angle is at most its tangent: most points are done without an arc tangent.
+        let (sine, cosine) = (norm(cross(axes[0], axes[1])), dot(axes[0], axes[1]));
+        if self.axis_rad.line == 0 || cosine <= 0.0 || sine > self.axis_rad.value * cosine {
+            self.axis_rad.meet(libm::atan2(sine, cosine), line);
+        }
     }
 
     /// The joints of a point.

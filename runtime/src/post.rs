@@ -14,7 +14,7 @@ use crate::nc::write_error::WriteError;
 use crate::nc::writer::{Values, Writer};
 use crate::path::{PathSolver, Solved};
 use crate::readback::ReadBack;
-use crate::vector::{angle_rad, norm, sub};
+use crate::vector::{norm, sub};
 use std::io::{self, Read, Write};
 use std::ops::Range;
 
@@ -174,7 +174,9 @@ impl<'a> Post<'a> {
         let Self { job, path, writer, text, printed, certificate, .. } = self;
         path.solve(points, &mut |solved| match solved.chosen() {
             Some(chosen) => {
-                diagnostics.extend(refusal::of_step(*job, solved, chosen));
+                if is_reposition(solved) {
+                    diagnostics.push(refusal::of_step(*job, solved, chosen));
+                }
                 watch(certificate, solved, chosen);
                 let start = text.len();
                 match writer.motion(solved.point.approach, &chosen.joints, job.machine.tool_length_mm, text) {
@@ -208,9 +210,8 @@ impl<'a> Post<'a> {
         }
         path.kinematics.forward(&printed.joints, length, &mut printed.poses);
         for (lane, line, _) in &printed.lanes {
-            let tip = norm(sub(printed.poses.tip(*lane), path.poses.tip(*lane)));
-            let axis = angle_rad(printed.poses.axis(*lane), path.poses.axis(*lane));
-            certificate.compare(*line, tip, axis);
+            let (tip, axis) = (printed.poses.tip(*lane), printed.poses.axis(*lane));
+            certificate.compare(*line, norm(sub(tip, path.poses.tip(*lane))), [axis, path.poses.axis(*lane)]);
         }
     }
 

@@ -1,6 +1,6 @@
 //! Points that the machine cannot go to, as diagnostics.
 
-use super::{Job, is_reposition, severity};
+use super::{Job, severity};
 use crate::branch::{Candidate, Choice};
 use crate::diagnostic::{Code, Diagnostic, Place, Severity};
 use crate::machine::{Axis, Motion};
@@ -123,17 +123,14 @@ fn out_of_travel(job: Job<'_>, solved: &Solved<'_>, index: usize, place: Place) 
 }
 
 /// A point that can be posted, but only by a reposition in the cut.
-pub(super) fn of_step(job: Job<'_>, solved: &Solved<'_>, chosen: &Candidate) -> Option<Diagnostic> {
-    if !is_reposition(solved) {
-        return None;
-    }
+pub(super) fn of_step(job: Job<'_>, solved: &Solved<'_>, chosen: &Candidate) -> Diagnostic {
     let text = "the travel forces a reposition in the middle of a cut";
     let diagnostic = match severity(job.machine.branch.reposition) {
         Severity::Error => Diagnostic::error(&REPOSITION, text),
         Severity::Warning => Diagnostic::warning(&REPOSITION_WARNING, text),
     };
     let place = Place::line(job.file, solved.point.line);
-    Some(diagnostic.at(place, format!("the rotary axes turn by {:.3} deg to get here", chosen.rotary_travel_deg)))
+    diagnostic.at(place, format!("the rotary axes turn by {:.3} deg to get here", chosen.rotary_travel_deg))
 }
 
 fn direction(solved: &Solved<'_>) -> String {
