@@ -32,12 +32,12 @@ impl PoseBlock {
 
     /// The tip of one lane.
     pub fn tip(&self, lane: usize) -> Vec3 {
-        self.tip_mm.map(|component| component[lane])
+        std::array::from_fn(|i| self.tip_mm[i][lane])
     }
 
     /// The tool axis of one lane.
     pub fn axis(&self, lane: usize) -> Vec3 {
-        self.axis.map(|component| component[lane])
+        std::array::from_fn(|i| self.axis[i][lane])
     }
 }
 

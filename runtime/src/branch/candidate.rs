@@ -37,7 +37,8 @@ impl Candidate {
     /// and looks for obstacles.
     pub(super) fn settle(&mut self, axes: &[Axis], previous: Option<&[f64]>) {
         (self.obstacle, self.rotary_travel_deg, self.ideal_travel_deg) = (None, 0.0, 0.0);
-        for (index, (axis, joint)) in axes.iter().zip(&mut self.joints).enumerate() {
+        let Self { joints, obstacle, .. } = self;
+        for (index, (axis, joint)) in axes.iter().zip(joints).enumerate() {
             if axis.motion == Motion::Rotary {
                 let reference = previous.map_or(0.0, |previous| previous[index]);
                 let (ideal, within) = turns(*joint, reference, axis.travel);
@@ -45,9 +46,11 @@ impl Candidate {
                 self.rotary_travel_deg += (within - reference).abs();
                 *joint = within;
             }
-            let beyond = beyond(*joint, axis.travel);
-            if beyond > self.obstacle.map_or(TRAVEL_TOLERANCE, |obstacle| obstacle.beyond) {
-                self.obstacle = Some(Obstacle { axis: index, beyond });
+            if !is_within(*joint, axis.travel) {
+                let beyond = beyond(*joint, axis.travel);
+                if beyond > obstacle.map_or(TRAVEL_TOLERANCE, |found| found.beyond) {
+                    *obstacle = Some(Obstacle { axis: index, beyond });
+                }
             }
         }
     }
@@ -68,6 +71,12 @@ impl Candidate {
     }
 }
 
+/// Whether a value is inside of a travel.
+#[inline]
+fn is_within(value: f64, travel: Travel) -> bool {
+    travel.lower <= value && value <= travel.upper
+}
+
 /// How far a value is outside of a travel.
 fn beyond(value: f64, travel: Travel) -> f64 {
     (travel.lower - value).max(value - travel.upper).max(0.0)
@@ -80,7 +89,7 @@ fn turns(value: f64, reference: f64, travel: Travel) -> (f64, f64) {
     let apart = reference - value;
     let nearest = if apart.abs() <= 180.0 { 0.0 } else { round_to_zero(apart / 360.0) };
     let ideal = value + 360.0 * nearest;
-    if beyond(ideal, travel) == 0.0 {
+    if is_within(ideal, travel) {
         return (ideal, ideal);
     }
     let fewest = ((travel.lower - TRAVEL_TOLERANCE - value) / 360.0).ceil();
