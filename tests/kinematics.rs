@@ -1,18 +1,19 @@
 //! The derivation closes the loop: for machines of every order of three linear and two rotary axes, with random directions
 //! and offsets, the inverse's candidates reach the pose that the forward chain was asked for.
 
-use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock, SolutionBlock};
+use mach_runtime::kinematics::{LANES, PoseBlock};
 use mach_runtime::machine::{BranchPolicy, Motion, Strictness, Travel, Written};
-use mach_runtime::vector::{angle_rad, norm, sub};
 use machc::derive::derive;
 use machc::model::machine::{Axis, Joint, Model, Tool};
-use machc::plan::Interpreter;
 use nalgebra::Vector3;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 
-const TIP_BOUND_MM: f64 = 1e-9;
-const AXIS_BOUND_RAD: f64 = 1e-12;
+#[path = "common/closing.rs"]
+mod closing;
+
+use closing::{close_blocks, close_the_loop};
+
 const BLOCKS: usize = 16;
 
 fn direction() -> impl Strategy<Value = Vector3<f64>> {
@@ -89,53 +90,6 @@ fn has_its_freedoms(model: &Model) -> bool {
     x.cross(&y).dot(&z).abs() > 0.3 && lines.windows(2).all(|pair| line_angle(&pair[0], &pair[1]) > 0.3)
 }
 
-/// Joints spread over the block by a low-discrepancy sequence.
-fn joints(model: &Model, block: usize) -> Vec<[f64; LANES]> {
-    let spread = |axis: usize, lane: usize| {
-        let step = [0.754_877_666, 0.569_840_290, 0.618_033_988, 0.414_213_562, 0.732_050_807][axis];
-        let n = (block * LANES + lane + 1) as f64;
-        2.0 * (n * step).fract() - 1.0
-    };
-    let bound = |axis: &Axis| if axis.motion == Motion::Rotary { 180.0 } else { 500.0 };
-    model.axes.iter().enumerate().map(|(i, axis)| std::array::from_fn(|l| bound(axis) * spread(i, l))).collect()
-}
-
-/// Whether a rotary between the linear axes stands next to where they no longer span space.
-fn far(candidate: &[[f64; LANES]], lane: usize) -> bool {
-    candidate.iter().any(|joint| joint[lane].abs() > 1e4)
-}
-
-fn close_the_loop(model: &Model, wanted: &PoseBlock, asked: Option<&[[f64; LANES]]>) -> Result<(), TestCaseError> {
-    let mut machine = Interpreter::new(&derive(model));
-    let (mut solutions, mut reached) = (SolutionBlock::new(machine.branch_count(), 5), PoseBlock::ZERO);
-    solutions.branches.iter_mut().for_each(|branch| branch.truncate(machine.axis_count()));
-    machine.inverse(wanted, model.tool.length_mm, &mut solutions);
-    let mut found = [asked.is_none(); LANES];
-    for candidate in &solutions.branches {
-        machine.forward(candidate, model.tool.length_mm, &mut reached);
-        for lane in (0..LANES).filter(|&lane| !far(candidate, lane)) {
-            prop_assert!(solutions.reach_rad[lane] > -1e-7, "reach {}", solutions.reach_rad[lane]);
-            let tip = norm(sub(reached.tip(lane), wanted.tip(lane)));
-            let axis = angle_rad(reached.axis(lane), wanted.axis(lane));
-            prop_assert!(tip <= TIP_BOUND_MM, "tip {tip:e} mm");
-            prop_assert!(axis <= AXIS_BOUND_RAD, "axis {axis:e} rad");
-            found[lane] |= asked.is_some_and(|asked| same_rotaries(model, asked, candidate, lane));
-        }
-        (0..LANES).filter(|&lane| far(candidate, lane)).for_each(|lane| found[lane] = true);
-    }
-    prop_assert!(found.iter().all(|&found| found), "a branch was missed");
-    Ok(())
-}
-
-/// Whether two joint vectors agree in the rotaries up to whole turns. The angles' own conditioning is that of a point
-/// next to the edge of the reach: the square root of a rounding.
-fn same_rotaries(model: &Model, a: &[[f64; LANES]], b: &[[f64; LANES]], lane: usize) -> bool {
-    let turn = |d: f64| (d - 360.0 * (d / 360.0).round()).abs();
-    (0..model.axes.len())
-        .filter(|&i| model.axes[i].motion == Motion::Rotary)
-        .all(|i| turn(a[i][lane] - b[i][lane]) < 1e-4)
-}
-
 fn run(cases: u32, rotaries: usize, test: impl Fn(Model) -> Result<(), TestCaseError>) {
     let config = Config { cases, failure_persistence: None, ..Config::default() };
     let machines = machine(rotaries).prop_filter("every freedom", has_its_freedoms);
@@ -147,15 +101,7 @@ fn run(cases: u32, rotaries: usize, test: impl Fn(Model) -> Result<(), TestCaseE
 #[test]
 fn random_machines_close_the_loop_and_miss_no_branch() {
     for rotaries in 0..=2 {
-        run(256, rotaries, |model| {
-            let mut machine = Interpreter::new(&derive(&model));
-            for block in 0..BLOCKS {
-                let (joints, mut wanted) = (joints(&model, block), PoseBlock::ZERO);
-                machine.forward(&joints, model.tool.length_mm, &mut wanted);
-                close_the_loop(&model, &wanted, Some(&joints))?;
-            }
-            Ok(())
-        });
+        run(256, rotaries, |model| close_blocks(&model, &derive(&model), BLOCKS).map_err(TestCaseError::fail));
     }
 }
 
@@ -176,6 +122,6 @@ fn a_nanoradian_from_the_pole_keeps_every_digit() {
                 wanted.tip_mm[i][lane] = (lane * (i + 3) % 17) as f64 * 10.0;
             }
         }
-        close_the_loop(&model, &wanted, None)
+        close_the_loop(&model, &derive(&model), &wanted, None).map_err(TestCaseError::fail)
     });
 }

@@ -1,0 +1,77 @@
+//! Closing the loop: joints to a pose, the pose to every candidate, each candidate back to the pose.
+
+use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock, SolutionBlock};
+use mach_runtime::machine::Motion;
+use mach_runtime::vector::{angle_rad, norm, sub};
+use machc::model::machine::{Axis, Model};
+use machc::plan::{Interpreter, Plan};
+
+const TIP_BOUND_MM: f64 = 1e-9;
+const AXIS_BOUND_RAD: f64 = 1e-12;
+
+/// Joints spread over the block by a low-discrepancy sequence.
+fn joints(model: &Model, block: usize) -> Vec<[f64; LANES]> {
+    let spread = |axis: usize, lane: usize| {
+        let step = [0.754_877_666, 0.569_840_290, 0.618_033_988, 0.414_213_562, 0.732_050_807][axis];
+        let n = (block * LANES + lane + 1) as f64;
+        2.0 * (n * step).fract() - 1.0
+    };
+    let bound = |axis: &Axis| if axis.motion == Motion::Rotary { 180.0 } else { 500.0 };
+    model.axes.iter().enumerate().map(|(i, axis)| std::array::from_fn(|l| bound(axis) * spread(i, l))).collect()
+}
+
+/// Whether a rotary between the linear axes stands next to where they no longer span space.
+fn far(candidate: &[[f64; LANES]], lane: usize) -> bool {
+    candidate.iter().any(|joint| joint[lane].abs() > 1e4)
+}
+
+/// Takes the poses through the inverse and back. With the joints that the poses were made from, one candidate must be
+/// those, up to whole turns.
+pub(crate) fn close_the_loop(
+    model: &Model,
+    plan: &Plan,
+    wanted: &PoseBlock,
+    asked: Option<&[[f64; LANES]]>,
+) -> Result<(), String> {
+    let mut machine = Interpreter::new(plan);
+    let mut solutions = SolutionBlock::new(machine.branch_count(), machine.axis_count());
+    let mut reached = PoseBlock::ZERO;
+    machine.inverse(wanted, model.tool.length_mm, &mut solutions);
+    let mut found = [asked.is_none(); LANES];
+    for candidate in &solutions.branches {
+        machine.forward(candidate, model.tool.length_mm, &mut reached);
+        for lane in (0..LANES).filter(|&lane| !far(candidate, lane)) {
+            require(solutions.reach_rad[lane] > -1e-7, || format!("reach {}", solutions.reach_rad[lane]))?;
+            let tip = norm(sub(reached.tip(lane), wanted.tip(lane)));
+            let axis = angle_rad(reached.axis(lane), wanted.axis(lane));
+            require(tip <= TIP_BOUND_MM, || format!("tip {tip:e} mm"))?;
+            require(axis <= AXIS_BOUND_RAD, || format!("axis {axis:e} rad"))?;
+            found[lane] |= asked.is_some_and(|asked| same_rotaries(model, asked, candidate, lane));
+        }
+        (0..LANES).filter(|&lane| far(candidate, lane)).for_each(|lane| found[lane] = true);
+    }
+    require(found.iter().all(|&found| found), || "a branch was missed".to_owned())
+}
+
+fn require(holds: bool, otherwise: impl FnOnce() -> String) -> Result<(), String> {
+    if holds { Ok(()) } else { Err(otherwise()) }
+}
+
+/// Closes the loop for so many blocks of poses that joints within bounds lead to.
+pub(crate) fn close_blocks(model: &Model, plan: &Plan, blocks: usize) -> Result<(), String> {
+    let mut machine = Interpreter::new(plan);
+    (0..blocks).try_for_each(|block| {
+        let (joints, mut wanted) = (joints(model, block), PoseBlock::ZERO);
+        machine.forward(&joints, model.tool.length_mm, &mut wanted);
+        close_the_loop(model, plan, &wanted, Some(&joints))
+    })
+}
+
+/// Whether two joint vectors agree in the rotaries up to whole turns. The angles' own conditioning is that of a point
+/// next to the edge of the reach: the square root of a rounding.
+fn same_rotaries(model: &Model, a: &[[f64; LANES]], b: &[[f64; LANES]], lane: usize) -> bool {
+    let turn = |d: f64| (d - 360.0 * (d / 360.0).round()).abs();
+    (0..model.axes.len())
+        .filter(|&i| model.axes[i].motion == Motion::Rotary)
+        .all(|i| turn(a[i][lane] - b[i][lane]) < 1e-4)
+}
