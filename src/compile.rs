@@ -59,6 +59,7 @@ pub fn compile(entry: &str, sources: &dyn Sources) -> Result<Compiled, Vec<Diagn
     let model = Model { dialect, ..build(&draft) };
     if let Some(controller) = &controller {
         found.extend(check::narrow_word::check(&model, &draft, &controller.statements));
+        found.extend(check::no_way_out::check(&model, &draft, &controller.statements));
     }
     refuse_errors(&program.sources, &mut found)?;
 

@@ -61,9 +61,10 @@ fn solved(Compiled { model, plan, .. }: &Compiled, cl: &str) -> (Vec<Row>, Vec<P
     }
 }
 
-/// The words of every motion block, modal words carried along. The motions are the blocks that print an axis.
+/// The words of every motion, modal words carried along: the blocks that print an axis, from the one on with which every axis
+/// has been given.
 fn printed(nc: &str) -> Vec<Row> {
-    let mut current = Row::default();
+    let mut current = [f64::NAN; 5];
     let mut rows = Vec::new();
     for block in nc.lines().filter(|line| !line.contains("G53")) {
         let words = block.split_whitespace();
@@ -71,7 +72,7 @@ fn printed(nc: &str) -> Vec<Row> {
             |word: &str| Some((NAMES.iter().position(|name| word.starts_with(name))?, word[1..].parse().ok()?));
         let found: Vec<(usize, f64)> = words.filter_map(axis_word).collect();
         found.iter().for_each(|&(axis, value)| current[axis] = value);
-        if !found.is_empty() {
+        if !found.is_empty() && current.iter().all(|value| value.is_finite()) {
             rows.push(current);
         }
     }

@@ -79,7 +79,7 @@ machine base {
     chain w C A b X Y Z t
     linear X along +x
     linear Y along +y
-    linear Z along +z
+    linear Z along +z travel -500 .. 500
     rotary A about +x
     rotary C about +z
     tool along +z

@@ -21,6 +21,29 @@ pub struct Axis {
     pub rapid_per_min: Option<f64>,
 }
 
+/// The way out: where one linear axis takes the tool farthest from the workpiece.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Retract {
+    /// The axis that moves most along the tool axis at home, as an index.
+    pub axis: usize,
+    /// The end of its travel on the tool's side, in machine coordinates and millimetres; infinite without a limit.
+    pub end_mm: f64,
+    /// Whether that is the upper end.
+    pub is_upper: bool,
+}
+
+impl Retract {
+    /// The way out of a machine with these axes; none when no axis moves along the tool axis.
+    pub fn of(axes: &[Axis]) -> Option<Self> {
+        let share = |index: &usize| axes[*index].length_share.abs();
+        let axis = (0..axes.len()).rev().max_by(|a, b| share(a).total_cmp(&share(b)))?;
+        let Axis { length_share, travel, .. } = &axes[axis];
+        let is_upper = *length_share > 0.0;
+        let end_mm = if is_upper { travel.upper } else { travel.lower };
+        (*length_share != 0.0).then_some(Self { axis, end_mm, is_upper })
+    }
+}
+
 /// How an axis moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Motion {

@@ -203,7 +203,7 @@ impl<'a> Post<'a> {
                     String::from_utf8_lossy(block)
                 );
             }
-            certificate.blocks += u64::from(!block.is_empty());
+            certificate.blocks += memchr::memchr_iter(b'\n', block).count() as u64;
             for (joint, value) in printed.joints.iter_mut().zip(&printed.joint_values) {
                 joint[*lane] = *value;
             }

@@ -10,6 +10,7 @@ pub(crate) mod direction;
 pub(crate) mod linear_span;
 pub(crate) mod missing;
 pub(crate) mod narrow_word;
+pub(crate) mod no_way_out;
 pub(crate) mod parallel_rotaries;
 pub(crate) mod preference;
 pub(crate) mod rotary_along_tool;

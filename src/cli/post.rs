@@ -23,7 +23,7 @@ checked, shown and solved without one, but not posted for. Name one:
 
     machine tmv710a {
         // …
-        controller syntec {}
+        controller syntec { }
     }
 ",
 };

@@ -8,7 +8,7 @@ use crate::derive::prove;
 use crate::model::{arithmetic, describe, evaluate, family, field, function, library, load, parameter};
 
 /// The codes of the model and of the checks; those of the syntax are listed there.
-static CODES: [&Code; 34] = [
+static CODES: [&Code; 35] = [
     &load::CANNOT_READ,
     &load::USE_CYCLE,
     &library::DEFINED_TWICE,
@@ -42,6 +42,7 @@ static CODES: [&Code; 34] = [
     &check::written_range::NOT_ONE_TURN,
     &check::written_range::NOT_ROTARY,
     &check::narrow_word::NARROW,
+    &check::no_way_out::NO_WAY_OUT,
     &prove::NOT_PROVED,
 ];
 

@@ -2,6 +2,7 @@
 
 mod block;
 mod lowering;
+mod motion;
 mod picture;
 mod placeholder;
 mod template;
@@ -11,6 +12,7 @@ mod word;
 use crate::syntax::tree::{ControllerStatement, Expression, ExpressionKind, Span, Text};
 use lowering::Lowering;
 use mach_runtime::diagnostic::{Code, Diagnostic, Place};
+use mach_runtime::machine::Motion;
 use mach_runtime::nc::dialect::{Codes, Dialect, LengthUnit, Sequence};
 use std::collections::BTreeMap;
 
@@ -22,7 +24,7 @@ pub static CODES: [&Code; 11] = [
     &LACKING,
     &placeholder::UNKNOWN_PLACEHOLDER,
     &placeholder::PLACEHOLDER_ELSEWHERE,
-    &block::INCOMPLETE_MOTION,
+    &motion::INCOMPLETE_MOTION,
     &BAD_SEQUENCE,
     &MODAL_TWICE,
     &lowering::UNPRINTABLE,
@@ -86,13 +88,22 @@ pub struct Controller<'a> {
     pub place: &'a dyn Fn(usize, &Span) -> Place,
 }
 
-/// The dialect for a machine with these axes (their names, in the machine's order).
+/// What a controller has to know of an axis.
+#[derive(Debug, Clone, Copy)]
+pub struct Axis<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// How it moves.
+    pub motion: Motion,
+}
+
+/// The dialect for a machine with these axes, in the machine's order.
 ///
 /// `write` statements are not looked at: how a rotary is wound is a matter of the axis.
 ///
 /// # Errors
 /// Everything that is wrong with the statements.
-pub fn lower(controller: &Controller<'_>, axes: &[&str]) -> Result<Dialect, Vec<Diagnostic>> {
+pub fn lower(controller: &Controller<'_>, axes: &[Axis<'_>]) -> Result<Dialect, Vec<Diagnostic>> {
     let mut lowering = Lowering::new(controller);
     let units = units(&lowering);
     let formats = word::formats(&mut lowering, units);
@@ -100,7 +111,7 @@ pub fn lower(controller: &Controller<'_>, axes: &[&str]) -> Result<Dialect, Vec<
     let feed = word::feed(&mut lowering, &formats);
     let comment = comment(&mut lowering);
     let modal_groups = modal_groups(&mut lowering);
-    let blocks = block::blocks(&mut lowering, &modal_groups, &comment);
+    let blocks = block::blocks(&mut lowering, axes, &modal_groups, &comment);
     let extension = lowering.last(extension_statement).map(|(index, text)| lowering.printable(index, text));
     let offset = lowering.last(offset_statement).map(|(index, text)| lowering.printable(index, text));
     let dialect = Dialect {

@@ -16,12 +16,8 @@ pub(crate) fn dialect(
 ) -> Option<Dialect> {
     let (nodes, places): (Vec<_>, Vec<Location>) =
         controller.statements.iter().map(|statement| (statement.value.clone(), statement.at.clone())).unzip();
-    let mut axes: Vec<&str> = Vec::new();
-    for axis in &draft.axes {
-        if !axes.contains(&axis.name.value.as_str()) {
-            axes.push(&axis.name.value);
-        }
-    }
+    let axes = draft.axes.iter().map(|axis| controller::Axis { name: &axis.name.value, motion: axis.motion });
+    let axes: Vec<_> = axes.collect();
     let controller = controller::Controller {
         name: &controller.name.value.value,
         at: draft.sources.place(&controller.name.at),

@@ -1,7 +1,7 @@
 //! What a statement is about: of two statements about the same thing the later definition's holds.
 
 use crate::syntax::tree::{
-    Body, BranchStatement, ControllerStatement, Event, MachineStatement, Name, Span, Stated, ToleranceKind, Trivia,
+    Body, BranchStatement, ControllerStatement, MachineStatement, Name, Span, Stated, ToleranceKind, Trivia,
 };
 
 /// A statement of a definition that can be like another one.
@@ -83,7 +83,7 @@ impl Statement for ControllerStatement {
             Self::Word { names, .. } => return all("word", names),
             Self::WriteRange { axis, .. } | Self::WriteUnwound(axis) => format!("write {}", axis.value),
             Self::Modal(codes) => return all("modal", codes),
-            Self::On { event, .. } => format!("on {}", event_words(event.value)),
+            Self::On { event, .. } => format!("on {}", event.value.words()),
         };
         vec![subject]
     }
@@ -101,28 +101,5 @@ impl Statement for ControllerStatement {
             }
             _ => vec![(span.clone(), self.clone())],
         }
-    }
-}
-
-/// An event as it is written.
-fn event_words(event: Event) -> &'static str {
-    match event {
-        Event::Start => "start",
-        Event::End => "end",
-        Event::Operation => "operation",
-        Event::Tool => "tool",
-        Event::SpindleClockwise => "spindle clockwise",
-        Event::SpindleCounterclockwise => "spindle counterclockwise",
-        Event::SpindleOff => "spindle off",
-        Event::CoolantFlood => "coolant flood",
-        Event::CoolantMist => "coolant mist",
-        Event::CoolantThrough => "coolant through",
-        Event::CoolantOff => "coolant off",
-        Event::Stop => "stop",
-        Event::OptionalStop => "optional stop",
-        Event::Dwell => "dwell",
-        Event::Message => "message",
-        Event::Rapid => "rapid",
-        Event::Feed => "feed",
     }
 }

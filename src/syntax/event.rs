@@ -3,7 +3,7 @@
 use super::tree::Event;
 
 /// Every event and how it is written after `on`.
-pub const EVENTS: [(&str, Event); 17] = [
+pub const EVENTS: [(&str, Event); 19] = [
     ("start", Event::Start),
     ("end", Event::End),
     ("operation", Event::Operation),
@@ -19,6 +19,8 @@ pub const EVENTS: [(&str, Event); 17] = [
     ("optional stop", Event::OptionalStop),
     ("dwell", Event::Dwell),
     ("message", Event::Message),
+    ("approach", Event::Approach),
+    ("approach feed", Event::ApproachFeed),
     ("rapid", Event::Rapid),
     ("feed", Event::Feed),
 ];

@@ -449,6 +449,10 @@ pub enum Event {
     Dwell,
     /// `message`.
     Message,
+    /// `approach`.
+    Approach,
+    /// `approach feed`.
+    ApproachFeed,
     /// `rapid`.
     Rapid,
     /// `feed`.

@@ -1,15 +1,16 @@
 //! A controller's description to a dialect, without a machine around it.
 
 use mach_runtime::diagnostic::Diagnostic;
+use mach_runtime::machine::Motion;
 use mach_runtime::nc::dialect::Dialect;
-use machc::model::controller::{Controller, lower};
+use machc::model::controller::{Axis, Controller, lower};
 use machc::syntax::parse::parse;
 use machc::syntax::place::place;
 use machc::syntax::tree::{ControllerStatement, Item};
 
 const FILE: &str = "controller.mach";
 
-/// The dialect of the last controller in `text`, for a machine with these axes.
+/// The dialect of the last controller in `text`, for a machine with these axes; A, B and C are rotary.
 pub(crate) fn dialect(text: &str, axes: &[&str]) -> Result<Dialect, Vec<Diagnostic>> {
     let file = parse(FILE, text)?;
     let mut controllers = file.body.statements.into_iter().filter_map(|item| match item.node {
@@ -24,5 +25,7 @@ pub(crate) fn dialect(text: &str, axes: &[&str]) -> Result<Dialect, Vec<Diagnost
         statements: &statements,
         place: &|_, span| place(FILE, text, span),
     };
-    lower(&request, axes)
+    let motion = |name: &str| if name.starts_with(['A', 'B', 'C']) { Motion::Rotary } else { Motion::Linear };
+    let axes: Vec<Axis<'_>> = axes.iter().map(|name| Axis { name, motion: motion(name) }).collect();
+    lower(&request, &axes)
 }

@@ -21,7 +21,9 @@ fn axes() -> Vec<Axis> {
     };
     let linear = ["X", "Y", "Z"].map(|name| axis((name, Motion::Linear)));
     let rotary = ["A", "C"].map(|name| axis((name, Motion::Rotary)));
-    linear.into_iter().chain(rotary).collect()
+    let mut axes: Vec<Axis> = linear.into_iter().chain(rotary).collect();
+    (axes[2].length_share, axes[2].travel) = (1.0, Travel { lower: -450.0, upper: 60.0 });
+    axes
 }
 
 fn lowered(text: &str) -> Dialect {
@@ -78,27 +80,29 @@ fn syntec_in_millimetres() {
 %
 (SINE_SURFACE)
 N10 G17 G21 G40 G49 G80 G90 G94
+N20 G54
 (ROUGH 1)
-N20 M9
-N30 M5
-N40 G53 G0 Z0.
-N50 T3 M6
-N60 G54
-N70 G43 H03
+N30 M9
+N40 M5
+N50 G53 G0 Z60.
+N60 T3 M6
+N70 G54
 N80 S8000 M3
 N90 M8
-N100 G0 X70.711 Y18.271 Z21.124 A23.955 C315.
-N110 G1 X.483 Y0.0 Z25. A0.0 C.002 F1234.6
-N120 Y-.5
-N130 Y-12.7 G95 F.05
-N140 G4 P1250
+N100 G0 A23.955 C315.
+N110 X70.711 Y18.271
+N120 G43 H03 Z21.124
+N130 G1 X.483 Y0.0 Z25. A0.0 C.002 F1234.6
+N140 Y-.5
+N150 Y-12.7 G95 F.05
+N160 G4 P1250
 (check the probe)
-N150 M5
-N160 M9
-N170 M9
-N180 M5
-N190 G53 G0 Z0.
-N200 M30
+N170 M5
+N180 M9
+N190 M9
+N200 M5
+N210 G53 G0 Z60.
+N220 M30
 %
 ";
     assert_eq!(program(lowered(SYNTEC)), expected);
@@ -114,32 +118,81 @@ N30 G64
 ; ROUGH (1)
 N40 M9
 N50 M5
-N60 G0 SUPA Z0 D0
+N60 G0 SUPA Z60 D0
 N70 T3
 N80 M6
 N90 G54
 N100 D1
 N110 S8000 M3
 N120 M8
-N130 G0 X70.711 Y18.271 Z21.124 A23.955 C315
-N140 G1 X0.483 Y0 Z25 A0 C0.002 F1234.6
-N150 Y-0.5
-N160 Y-12.7 G95 F0.05
-N170 G4 F1.25
-N180 MSG(\"check the probe\")
-N190 M5
-N200 M9
-N210 M9
-N220 M5
-N230 G0 SUPA Z0 D0
-N240 M30
+N130 G0 A23.955 C315
+N140 X70.711 Y18.271
+N150 Z21.124
+N160 G1 X0.483 Y0 Z25 A0 C0.002 F1234.6
+N170 Y-0.5
+N180 Y-12.7 G95 F0.05
+N190 G4 F1.25
+N200 MSG(\"check the probe\")
+N210 M5
+N220 M9
+N230 M9
+N240 M5
+N250 G0 SUPA Z60 D0
+N260 M30
 ";
     assert_eq!(program(lowered(SIEMENS)), expected);
 }
 
+/// In inches the end of the travel is rounded into it: 60 mm are 2.36220… inches.
+#[test]
+fn the_way_out_is_within_the_travel() {
+    assert!(program(lowered(&unnumbered(&inch(SYNTEC)))).contains("\nG53 G0 Z2.3622\n"));
+    let mut axes = axes();
+    for (upper, word) in [(100.0, "Z3.937\n"), (99.997, "Z3.9368\n")] {
+        axes[2].travel.upper = upper;
+        let mut out = Vec::new();
+        let mut writer = Writer::new(lowered(&unnumbered(&inch(SYNTEC))), &axes);
+        writer.command(Trigger::End, &Values::default(), &mut out).expect("printed");
+        let text = String::from_utf8(out).expect("ASCII");
+        assert!(text.contains(&format!("G53 G0 {word}")), "{upper}: {text}");
+    }
+}
+
+/// The lines of a first motion to these joints with tool 7, on a machine with these axes.
+fn approach(text: &str, names: &[&str], approach: Approach) -> String {
+    let axes: Vec<Axis> = axes().into_iter().filter(|axis| names.contains(&axis.name.as_str())).collect();
+    let dialect = dialect(&unnumbered(text), names).unwrap_or_else(|diagnostics| panic!("{diagnostics:#?}"));
+    let mut writer = Writer::new(dialect, &axes);
+    let mut out = Vec::new();
+    let values = Values { program: "part", tool: 7, register: 7, ..Values::default() };
+    writer.command(Trigger::Start, &values, &mut out).expect("printed");
+    writer.command(Trigger::Tool, &values, &mut out).expect("printed");
+    out.clear();
+    writer.motion(approach, &vec![1.0; axes.len()], 0.0, &mut out).expect("printed");
+    writer.motion(Approach::Rapid, &vec![2.0; axes.len()], 0.0, &mut out).expect("printed");
+    String::from_utf8(out).expect("ASCII")
+}
+
+#[test]
+fn the_tool_is_never_without_its_length() {
+    let feed = Approach::Feed(Some(Feed::PerMinute(500.0)));
+    let three = &["X", "Y", "Z"];
+    let rapid = approach(SYNTEC, three, Approach::Rapid);
+    assert_eq!(rapid, "G0 X1. Y1.\nG43 H07 Z1.\nX2. Y2. Z2.\n");
+    assert_eq!(approach(SYNTEC, three, feed), "G1 X1. Y1. F500.\nG43 H07 Z1.\nG0 X2. Y2. Z2.\n");
+    let five = &["X", "Y", "Z", "A", "C"];
+    let cut = approach(SYNTEC, five, feed);
+    assert_eq!(cut, "G1 A1. C1. F500.\nX1. Y1.\nG43 H07 Z1.\nG0 X2. Y2. Z2. A2. C2.\n");
+    assert_eq!(approach(SYNTEC, five, Approach::Feed(None)), cut.replace(" F500.", ""));
+    assert_eq!(approach(SIEMENS, three, Approach::Rapid), "G0 X1 Y1\nZ1\nX2 Y2 Z2\n");
+}
+
 /// The lines that print a motion.
 fn motions(program: &str) -> Vec<&str> {
-    program.lines().filter(|line| ["G0 X", "G1 X", "Y"].iter().any(|head| line.starts_with(head))).collect()
+    program
+        .lines()
+        .filter(|line| ["G0 A", "X", "Z", "G43", "G1 X", "Y"].iter().any(|head| line.starts_with(head)))
+        .collect()
 }
 
 #[test]
@@ -147,7 +200,9 @@ fn both_in_inches() {
     let syntec = program(lowered(&unnumbered(&inch(SYNTEC))));
     assert!(syntec.contains("\nG17 G20 G40"), "{syntec}");
     let expected = [
-        "G0 X2.7839 Y.7193 Z.8317 A23.955 C315.",
+        "G0 A23.955 C315.",
+        "X2.7839 Y.7193",
+        "G43 H03 Z.8317",
         "G1 X.019 Y0.0 Z.9843 A0.0 C.002 F48.6",
         "Y-.0197",
         "Y-.5 G95 F.00197",
@@ -156,7 +211,9 @@ fn both_in_inches() {
     let siemens = program(lowered(&unnumbered(&inch(SIEMENS))));
     assert!(siemens.contains("\nG17 G700 G40"), "{siemens}");
     let expected = [
-        "G0 X2.7839 Y0.7193 Z0.8317 A23.955 C315",
+        "G0 A23.955 C315",
+        "X2.7839 Y0.7193",
+        "Z0.8317",
         "G1 X0.019 Y0 Z0.9843 A0 C0.002 F48.6",
         "Y-0.0197",
         "Y-0.5 G95 F0.00197",

@@ -2,7 +2,7 @@
 
 use super::dialect::{LengthUnit, Word};
 use super::write_error::WriteError;
-use crate::machine::{Axis, Motion, Written};
+use crate::machine::{Axis, Motion, Retract, Written};
 
 /// How an axis' joint value becomes the number in its word.
 #[derive(Debug)]
@@ -46,6 +46,19 @@ impl AxisWord {
             })
             .and_then(|units| picture.fits(units))
             .ok_or_else(|| WriteError::too_large(&self.word, value))
+    }
+
+    /// The units to print for the way out, as the machine counts it: at the end of the travel, or just within it.
+    pub(super) fn retract_units(&self, retract: &Retract) -> Result<i64, WriteError> {
+        let value = retract.end_mm * self.scale;
+        let picture = &self.word.picture;
+        let units = picture.units(value).ok_or_else(|| WriteError::too_large(&self.word, value))?;
+        let above = units as f64 / picture.units_per_one() as f64 - value;
+        Ok(match retract.is_upper {
+            true if above > 1e-9 => units - 1,
+            false if above < -1e-9 => units + 1,
+            _ => units,
+        })
     }
 
     /// Prints the word.

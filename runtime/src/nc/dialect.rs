@@ -79,8 +79,8 @@ pub enum Piece {
         /// Index into the group.
         code: usize,
     },
-    /// The words of all axes that change.
-    Axes,
+    /// The words of these axes (indices into [`Dialect::axes`], ascending), as far as they change.
+    Axes(Vec<usize>),
     /// The feed word when it changes, behind the code of its kind when that changes.
     Feed,
     /// A value of the program's, printed by the picture or plainly.
@@ -116,6 +116,8 @@ pub enum Value {
     Units,
     /// `{feed_mode}`: the code of the feed's kind.
     FeedMode,
+    /// `{retract}`: the word that takes the tool to its way out ([`crate::machine::Retract`]), in machine coordinates.
+    Retract,
 }
 
 /// What makes the writer print a block.
@@ -151,6 +153,10 @@ pub enum Trigger {
     Dwell,
     /// `message`: text for the operator.
     Message,
+    /// `approach`: the first motion of a program or after a tool change, when it is a rapid one.
+    Approach,
+    /// `approach feed`: the same at feed.
+    ApproachFeed,
     /// `rapid`: a rapid motion.
     Rapid,
     /// `feed`: a motion at feed.
@@ -159,7 +165,7 @@ pub enum Trigger {
 
 impl Trigger {
     /// All of them, in their order.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 19] = [
         Self::Start,
         Self::End,
         Self::Operation,
@@ -175,6 +181,8 @@ impl Trigger {
         Self::OptionalStop,
         Self::Dwell,
         Self::Message,
+        Self::Approach,
+        Self::ApproachFeed,
         Self::Rapid,
         Self::Feed,
     ];
@@ -197,6 +205,8 @@ impl Trigger {
             Self::OptionalStop => "optional stop",
             Self::Dwell => "dwell",
             Self::Message => "message",
+            Self::Approach => "approach",
+            Self::ApproachFeed => "approach feed",
             Self::Rapid => "rapid",
             Self::Feed => "feed",
         }
@@ -204,7 +214,17 @@ impl Trigger {
 
     /// Whether a controller may have no block for it, because nothing the CL asks for gets lost.
     pub fn may_lack_a_block(self) -> bool {
-        matches!(self, Self::Start | Self::End | Self::Operation)
+        matches!(self, Self::Start | Self::End | Self::Operation | Self::Approach | Self::ApproachFeed)
+    }
+
+    /// Whether it is a motion of the CL, whose block prints axis words.
+    pub fn is_motion(self) -> bool {
+        matches!(self, Self::Approach | Self::ApproachFeed | Self::Rapid | Self::Feed)
+    }
+
+    /// Whether it is a motion at feed, whose block prints the feed.
+    pub fn is_feed(self) -> bool {
+        matches!(self, Self::ApproachFeed | Self::Feed)
     }
 }
 

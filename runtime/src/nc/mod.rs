@@ -2,8 +2,11 @@
 
 mod axis_word;
 pub mod dialect;
+mod feed_word;
 mod line;
+mod moves;
 pub mod picture;
 pub mod text;
+mod values;
 pub mod write_error;
 pub mod writer;

@@ -52,8 +52,25 @@ fn block(trigger: Trigger, lines: Vec<(bool, Vec<Piece>)>) -> Block {
 }
 
 fn motion(trigger: Trigger, code: usize) -> Block {
-    let pieces = vec![Piece::Modal { group: 0, code }, text(" "), Piece::Axes, text(" "), Piece::Feed];
+    let pieces =
+        vec![Piece::Modal { group: 0, code }, text(" "), Piece::Axes((0..5).collect()), text(" "), Piece::Feed];
     block(trigger, vec![(true, pieces)])
+}
+
+/// The dialect with an approach in three lines; the last one has the length register, in one digit.
+pub(crate) fn with_approach() -> Dialect {
+    let lines = vec![
+        (true, vec![Piece::Modal { group: 0, code: 0 }, text(" "), Piece::Axes(vec![3, 4])]),
+        (true, vec![Piece::Modal { group: 0, code: 0 }, text(" "), Piece::Axes(vec![0, 1])]),
+        (true, vec![text("G43 H"), Piece::Value(Value::Register, Some(one_digit())), text(" "), Piece::Axes(vec![2])]),
+    ];
+    let mut dialect = dialect();
+    dialect.blocks.push(block(Trigger::Approach, lines));
+    dialect
+}
+
+fn one_digit() -> Picture {
+    Picture { integer_digits: 1, ..Picture::WHOLE }
 }
 
 pub(crate) fn dialect() -> Dialect {

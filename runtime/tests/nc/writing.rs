@@ -1,8 +1,8 @@
 //! The writer: what is printed, and when.
 
-use crate::table::{axes, dialect};
+use crate::table::{axes, dialect, with_approach};
 use mach_runtime::cl::event::{Approach, Feed};
-use mach_runtime::nc::dialect::{Dialect, LengthUnit, Trigger};
+use mach_runtime::nc::dialect::{Block, Dialect, LengthUnit, Trigger};
 use mach_runtime::nc::write_error::WriteError;
 use mach_runtime::nc::writer::{Values, Writer};
 
@@ -81,6 +81,44 @@ fn a_tool_change_and_a_block_that_moves_make_the_next_motion_complete() {
     assert_eq!(motion(&mut writer, FEED, [1.0, 2.0, 3.0, 4.0, 5.0]), "");
     command(&mut writer, Trigger::Stop, &Values::default());
     assert_eq!(motion(&mut writer, FEED, [1.0, 2.0, 3.0, 4.0, 5.0]), full);
+}
+
+#[test]
+fn the_first_rapid_motion_of_a_program_and_of_a_tool_is_the_approach() {
+    let mut writer = Writer::new(Dialect { sequence: None, ..with_approach() }, &axes());
+    let joints = [1.0, 2.0, 3.0, 4.0, 5.0];
+    assert_eq!(motion(&mut writer, Approach::Rapid, joints), "G0 A4. C5.\nX1. Y2.\nG43 H0 Z3.\n");
+    assert_eq!(motion(&mut writer, Approach::Rapid, [1.0, 2.0, 9.0, 4.0, 5.0]), "Z9.\n");
+    command(&mut writer, Trigger::Tool, &Values { tool: 3, register: 4, ..Values::default() });
+    command(&mut writer, Trigger::Stop, &Values::default());
+    assert_eq!(motion(&mut writer, Approach::Rapid, joints), "G0 A4. C5.\nX1. Y2.\nG43 H4 Z3.\n");
+    command(&mut writer, Trigger::Tool, &Values { tool: 3, register: 4, ..Values::default() });
+    assert_eq!(motion(&mut writer, FEED, joints), "G1 X1. Y2. Z3. A4. C5. G94 F500.\n");
+    assert_eq!(motion(&mut writer, Approach::Rapid, [0.0; 5]), "G0 X0.0 Y0.0 Z0.0 A0.0 C0.0\n");
+}
+
+#[test]
+fn an_approach_that_cannot_be_printed_prints_nothing() {
+    let mut writer = Writer::new(with_approach(), &axes());
+    let mut out = Vec::new();
+    writer.command(Trigger::Tool, &Values { register: 12, ..Values::default() }, &mut out).expect("printed");
+    let before = out.clone();
+    let error = writer.motion(Approach::Rapid, &[1.0; 5], 0.0, &mut out);
+    assert_eq!(error, Err(WriteError::TooLarge { word: "register".into(), value: 12.0, limit: 10.0 }));
+    assert_eq!(out, before);
+}
+
+#[test]
+fn a_rapid_motion_in_several_lines_leaves_out_those_that_stand_still() {
+    let mut dialect = plain();
+    for block in with_approach().blocks.into_iter().filter(|block| block.trigger == Trigger::Approach) {
+        dialect.blocks.retain(|block| block.trigger != Trigger::Rapid);
+        dialect.blocks.push(Block { trigger: Trigger::Rapid, ..block });
+    }
+    let mut writer = Writer::new(dialect, &axes());
+    motion(&mut writer, FEED, [0.0; 5]);
+    assert_eq!(motion(&mut writer, Approach::Rapid, [1.0, 0.0, 0.0, 0.0, 0.0]), "G0 X1.\n");
+    assert_eq!(motion(&mut writer, Approach::Rapid, [1.0, 0.0, 2.0, 0.0, 5.0]), "C5.\nG43 H0 Z2.\n");
 }
 
 #[test]

@@ -1,29 +1,16 @@
 //! The blocks of a controller: one an event, its lines lowered, the motions complete.
 
-use super::LACKING;
 use super::lowering::Lowering;
 use super::template::{self, Scene};
-use crate::syntax::tree::{Body, ControllerStatement, Event, LineTemplate, Span, TemplatePiece};
-use mach_runtime::diagnostic::{Code, Diagnostic};
-use mach_runtime::nc::dialect::{Block, Piece, Trigger};
-
-/// A motion block that does not print the motion.
-pub(super) static INCOMPLETE_MOTION: Code = Code {
-    id: "E0526",
-    title: "a motion block prints its words not exactly once",
-    explanation: "\
-`on rapid` and `on feed` print the words of the axes by `{axes}`, once; `on feed` prints the feed word by `{feed}`.
-
-    on rapid { \"G0 {axes}\" }
-    on feed  { \"G1 {axes} {feed}\" }
-
-Without `{axes}` the machine would stand still, without `{feed}` it would cut with the last feed.
-",
-};
+use super::{Axis, LACKING, motion};
+use crate::syntax::tree::{Body, ControllerStatement, Event, LineTemplate, TemplatePiece};
+use mach_runtime::diagnostic::Diagnostic;
+use mach_runtime::nc::dialect::{Block, Trigger};
 
 /// The blocks, in the order of their triggers.
 pub(super) fn blocks(
     lowering: &mut Lowering<'_>,
+    axes: &[Axis<'_>],
     modal_groups: &[Vec<String>],
     comment: &(String, String),
 ) -> Vec<Block> {
@@ -37,11 +24,14 @@ pub(super) fn blocks(
             report_missing_motion(lowering, trigger);
             continue;
         };
-        let scene = Scene { index, trigger, modal_groups, comment };
+        let scene = Scene { index, trigger, axes, modal_groups, comment };
+        let found_before = lowering.diagnostics.len();
         let templates = body.statements.iter().map(|line| &line.node);
-        let lines = templates.map(|line| template::line(lowering, &scene, line)).collect();
-        let block = Block { trigger, lines };
-        check_motion(lowering, index, &block, &event.span);
+        let lines = templates.map(|line| template::line(lowering, &scene, line));
+        let block = Block { trigger, lines: lines.filter(|line| !motion::is_left_out(line)).collect() };
+        if lowering.diagnostics.len() == found_before {
+            motion::check(lowering, index, &block, axes, &event.span);
+        }
         check_codes(lowering, index, body);
         blocks.push(block);
     }
@@ -53,25 +43,6 @@ fn report_missing_motion(lowering: &mut Lowering<'_>, trigger: Trigger) {
         let message = format!("the controller `{}` has no block `on {}`", lowering.controller.name, trigger.name());
         let place = lowering.controller.at.clone();
         lowering.diagnostics.push(Diagnostic::error(&LACKING, message).at(place, "cannot write the motion"));
-    }
-}
-
-/// A motion prints its axes once, and a feed motion its feed.
-fn check_motion(lowering: &mut Lowering<'_>, index: usize, block: &Block, span: &Span) {
-    let count = |wanted: &Piece| block.lines.iter().flat_map(|line| &line.pieces).filter(|it| *it == wanted).count();
-    let mut require = |name: &str, piece: &Piece| {
-        let message = match count(piece) {
-            0 => format!("`on {}` does not print `{{{name}}}`", block.trigger.name()),
-            1 => return,
-            _ => format!("`on {}` prints `{{{name}}}` more than once", block.trigger.name()),
-        };
-        lowering.report(&INCOMPLETE_MOTION, message, index, span, format!("exactly one `{{{name}}}` is needed"));
-    };
-    if matches!(block.trigger, Trigger::Rapid | Trigger::Feed) {
-        require("axes", &Piece::Axes);
-    }
-    if block.trigger == Trigger::Feed {
-        require("feed", &Piece::Feed);
     }
 }
 
@@ -111,6 +82,8 @@ fn trigger(event: Event) -> Trigger {
         Event::OptionalStop => Trigger::OptionalStop,
         Event::Dwell => Trigger::Dwell,
         Event::Message => Trigger::Message,
+        Event::Approach => Trigger::Approach,
+        Event::ApproachFeed => Trigger::ApproachFeed,
         Event::Rapid => Trigger::Rapid,
         Event::Feed => Trigger::Feed,
     }

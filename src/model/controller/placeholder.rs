@@ -1,6 +1,8 @@
 //! Placeholders: what `{tool}` and the others stand for, and in which blocks.
 
+use super::Axis;
 use mach_runtime::diagnostic::Code;
+use mach_runtime::machine::Motion;
 use mach_runtime::nc::dialect::{Piece, Trigger, Value};
 
 /// A placeholder that does not exist.
@@ -10,18 +12,20 @@ pub(super) static UNKNOWN_PLACEHOLDER: Code = Code {
     explanation: "\
 | placeholder | stands for | in |
 | --- | --- | --- |
-| `{axes}` | the words of the axes that change | `rapid`, `feed` |
-| `{feed}` | the feed word, when it changes | `feed` |
+| `{axes}`, `{linear}`, `{rotary}` | the words of the axes that change: all, the linear ones, the rotary ones | motions |
+| `{X}` | the word of one axis, when it changes | motions |
+| `{feed}` | the feed word, when it changes | `feed`, `approach feed` |
+| `{retract}` | the axis word that takes the tool out, in machine coordinates | all but motions |
 | `{program}`, `{machine}` | the program's and the machine's name | all but motions |
 | `{offset}`, `{units}`, `{feed_mode}` | the codes of the work offset, the unit of length, the kind of feed | all |
 | `{operation}` | the operation of the CL | `operation`, `tool` |
-| `{tool}`, `{register}` | the numbers of the tool and its length register | `tool` |
+| `{tool}`, `{register}` | the numbers of the tool and its length register | `tool`, `approach`, `approach feed` |
 | `{tool_name}` | the tool's name in the CL | `operation`, `tool` |
 | `{speed}` | revolutions a minute | `spindle clockwise`, `spindle counterclockwise` |
 | `{seconds}`, `{milliseconds}` | the time | `dwell` |
 | `{text}` | the text for the operator | `message` |
 
-A number may have a picture: `H{register:00}` prints `H07`. A brace that is to be printed is written twice.
+Motions are `rapid`, `feed`, `approach` and `approach feed`. A number may have a picture: `H{register:00}` prints `H07`. A brace that is to be printed is written twice.
 ",
 };
 
@@ -42,15 +46,21 @@ with their blocks.
 
 /// What a placeholder stands for, before its picture is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Meaning {
+pub(super) enum Meaning<'t> {
     Axes,
+    Linear,
+    Rotary,
+    /// The axis of this name.
+    Axis(&'t str),
     Feed,
     Value(Value),
 }
 
-/// Every placeholder.
-pub(super) const PLACEHOLDERS: [(&str, Meaning); 15] = [
+/// Every placeholder but the names of axes.
+pub(super) const PLACEHOLDERS: [(&str, Meaning<'_>); 18] = [
     ("axes", Meaning::Axes),
+    ("linear", Meaning::Linear),
+    ("rotary", Meaning::Rotary),
     ("feed", Meaning::Feed),
     ("program", Meaning::Value(Value::Program)),
     ("machine", Meaning::Value(Value::Machine)),
@@ -65,24 +75,30 @@ pub(super) const PLACEHOLDERS: [(&str, Meaning); 15] = [
     ("offset", Meaning::Value(Value::Offset)),
     ("units", Meaning::Value(Value::Units)),
     ("feed_mode", Meaning::Value(Value::FeedMode)),
+    ("retract", Meaning::Value(Value::Retract)),
 ];
 
-impl Meaning {
-    /// What the placeholder of this name stands for.
-    pub(super) fn of(name: &str) -> Option<Self> {
+impl<'t> Meaning<'t> {
+    /// What the placeholder of this name stands for; a name with a capital is an axis'.
+    pub(super) fn of(name: &'t str) -> Option<Self> {
+        if name.starts_with(|c: char| c.is_ascii_uppercase()) {
+            return Some(Self::Axis(name));
+        }
         PLACEHOLDERS.iter().find(|(known, _)| *known == name).map(|(_, meaning)| *meaning)
     }
 
     /// Whether the event brings it along.
     pub(super) fn is_known_in(self, trigger: Trigger) -> bool {
-        let motion = matches!(trigger, Trigger::Rapid | Trigger::Feed);
+        let motion = trigger.is_motion();
         match self {
-            Self::Axes => motion,
-            Self::Feed => trigger == Trigger::Feed,
+            Self::Axes | Self::Linear | Self::Rotary | Self::Axis(_) => motion,
+            Self::Feed => trigger.is_feed(),
             Self::Value(Value::Offset | Value::Units | Value::FeedMode) => true,
-            Self::Value(Value::Program | Value::Machine) => !motion,
+            Self::Value(Value::Program | Value::Machine | Value::Retract) => !motion,
             Self::Value(Value::Operation | Value::ToolName) => matches!(trigger, Trigger::Operation | Trigger::Tool),
-            Self::Value(Value::Tool | Value::Register) => trigger == Trigger::Tool,
+            Self::Value(Value::Tool | Value::Register) => {
+                matches!(trigger, Trigger::Tool | Trigger::Approach | Trigger::ApproachFeed)
+            }
             Self::Value(Value::Speed) => {
                 matches!(trigger, Trigger::SpindleClockwise | Trigger::SpindleCounterclockwise)
             }
@@ -97,10 +113,16 @@ impl Meaning {
         matches!(self, Self::Value(Tool | Register | Speed | Seconds | Milliseconds))
     }
 
-    /// The piece without a picture.
-    pub(super) fn piece(self) -> Piece {
+    /// The piece without a picture, for a machine with these axes.
+    pub(super) fn piece(self, axes: &[Axis<'_>]) -> Piece {
+        let those = |wanted: &dyn Fn(&Axis<'_>) -> bool| {
+            Piece::Axes((0..axes.len()).filter(|index| wanted(&axes[*index])).collect())
+        };
         match self {
-            Self::Axes => Piece::Axes,
+            Self::Axes => those(&|_| true),
+            Self::Linear => those(&|axis| axis.motion == Motion::Linear),
+            Self::Rotary => those(&|axis| axis.motion == Motion::Rotary),
+            Self::Axis(name) => those(&|axis| axis.name == name),
             Self::Feed => Piece::Feed,
             Self::Value(value) => Piece::Value(value, None),
         }

@@ -1,10 +1,11 @@
 //! One line of a block: its text cut at the codes of modal groups, its placeholders understood.
 
+use super::Axis;
 use super::lowering::{Lowering, UNPRINTABLE, unprintable};
 use super::picture::{self, BAD_PICTURE};
 use super::placeholder::{Meaning, PLACEHOLDER_ELSEWHERE, PLACEHOLDERS, UNKNOWN_PLACEHOLDER};
 use crate::syntax::spelling::nearest;
-use crate::syntax::tree::{LineTemplate, Span, Spanned, TemplatePiece};
+use crate::syntax::tree::{ControllerStatement, LineTemplate, Span, Spanned, TemplatePiece};
 use mach_runtime::diagnostic::{Diagnostic, Suggestion};
 use mach_runtime::nc::dialect::{Line, Piece, Trigger};
 
@@ -13,6 +14,7 @@ pub(super) struct Scene<'a> {
     /// The statement's index.
     pub(super) index: usize,
     pub(super) trigger: Trigger,
+    pub(super) axes: &'a [Axis<'a>],
     pub(super) modal_groups: &'a [Vec<String>],
     pub(super) comment: &'a (String, String),
 }
@@ -104,7 +106,11 @@ fn placeholder(
     picture: Option<&str>,
 ) -> Option<Piece> {
     let (index, span) = (scene.index, &piece.span);
-    let Some(meaning) = Meaning::of(name) else {
+    let known = Meaning::of(name).filter(|meaning| match meaning {
+        Meaning::Axis(axis) => has_a_word(lowering, axis),
+        _ => true,
+    });
+    let Some(meaning) = known else {
         report_unknown(lowering, scene, span, name);
         return None;
     };
@@ -113,7 +119,7 @@ fn placeholder(
         lowering.report(&PLACEHOLDER_ELSEWHERE, message, index, span, "not known here");
         return None;
     }
-    let Some(text) = picture else { return Some(meaning.piece()) };
+    let Some(text) = picture else { return Some(meaning.piece(scene.axes)) };
     if !meaning.is_a_number() {
         let message = format!("`{{{name}}}` is no number that a picture could print");
         lowering.report(&PLACEHOLDER_ELSEWHERE, message, index, span, "takes no picture");
@@ -128,8 +134,17 @@ fn placeholder(
             lowering.report(&BAD_PICTURE, message, index, &at, error.message);
             None
         }
-        (Ok(_), Meaning::Axes | Meaning::Feed) => None,
+        (Ok(_), _) => None,
     }
+}
+
+/// Whether the controller has a word for this axis; the machine need not have the axis.
+fn has_a_word(lowering: &Lowering<'_>, axis: &str) -> bool {
+    let said = |statement: &_| match statement {
+        ControllerStatement::Word { names, .. } => names.iter().any(|name| name.value == axis),
+        _ => false,
+    };
+    lowering.controller.statements.iter().any(said)
 }
 
 fn report_unknown(lowering: &mut Lowering<'_>, scene: &Scene<'_>, span: &Span, name: &str) {

@@ -5,7 +5,7 @@ use crate::syntax::tree::{ControllerStatement, Event, Span};
 use mach_runtime::cl::event::{Approach, Feed};
 use mach_runtime::diagnostic::Code;
 use mach_runtime::machine::{Axis, Motion, Travel, Written};
-use mach_runtime::nc::dialect::{Dialect, LengthUnit};
+use mach_runtime::nc::dialect::{Dialect, LengthUnit, Trigger};
 use mach_runtime::nc::writer::Writer;
 use mach_runtime::readback::ReadBack;
 
@@ -27,19 +27,25 @@ Put anything else into the blocks of other events.
 /// Reports a kind of motion whose block cannot be read back.
 pub(super) fn read_back(lowering: &mut Lowering<'_>, dialect: &Dialect) {
     let feed = Approach::Feed(Some(Feed::PerMinute(one_half_mm(dialect))));
-    for (event, approach) in [(Event::Rapid, Approach::Rapid), (Event::Feed, feed)] {
-        let Some(text) = unreadable(dialect, approach) else { continue };
+    for (event, trigger, approach) in [
+        (Event::Rapid, Trigger::Rapid, Approach::Rapid),
+        (Event::Feed, Trigger::Feed, feed),
+        (Event::Approach, Trigger::Approach, Approach::Rapid),
+        (Event::ApproachFeed, Trigger::ApproachFeed, feed),
+    ] {
+        let blocks = dialect.block(trigger).into_iter().cloned().collect();
+        let Some(text) = unreadable(&Dialect { blocks, ..dialect.clone() }, approach) else { continue };
         let said = lowering.last(|statement| match statement {
             ControllerStatement::On { event: said, .. } if said.value == event => Some(&said.span),
             _ => None,
         });
-        let (index, span): (usize, &Span) = said.expect("a dialect without motion blocks has been refused");
+        let (index, span): (usize, &Span) = said.expect("the dialect has this block of the statement");
         let message = format!("the text of this motion cannot be read back: `{}`", text.trim_end());
         lowering.report(&UNREADABLE_MOTION, message, index, span, "only words, and each axis once");
     }
 }
 
-/// The text of a motion, if it cannot be read.
+/// The text of a motion by the dialect's only block, if it cannot be read.
 fn unreadable(dialect: &Dialect, approach: Approach) -> Option<String> {
     let axes: Vec<Axis> = dialect.axes.iter().map(|word| any_axis(&word.name)).collect();
     let mut joints = vec![0.5; axes.len()];

@@ -1,8 +1,8 @@
 //! Formats and words of a controller.
 
-use super::LACKING;
 use super::lowering::{Lowering, inside};
 use super::picture::{self, BAD_PICTURE, PictureError};
+use super::{Axis, LACKING};
 use crate::syntax::spelling::nearest;
 use crate::syntax::tree::{ControllerStatement, Name, Text};
 use mach_runtime::diagnostic::{Code, Diagnostic, Suggestion};
@@ -69,9 +69,9 @@ fn parsed<T>(
 }
 
 /// The words of the machine's axes. Words of axes that the machine does not have are only checked.
-pub(super) fn axes(lowering: &mut Lowering<'_>, formats: &Formats<'_>, axes: &[&str]) -> Vec<Word> {
+pub(super) fn axes(lowering: &mut Lowering<'_>, formats: &Formats<'_>, axes: &[Axis<'_>]) -> Vec<Word> {
     check_words(lowering, formats);
-    let words: Vec<Word> = axes.iter().filter_map(|axis| required(lowering, formats, axis, axis)).collect();
+    let words: Vec<Word> = axes.iter().filter_map(|axis| required(lowering, formats, axis.name, axis.name)).collect();
     let mut first: BTreeMap<&str, &str> = BTreeMap::new();
     for word in words.iter().filter(|word| !word.address.is_empty()) {
         if let Some(other) = first.insert(&word.address, &word.name) {

@@ -19,7 +19,7 @@ An `on` block says what is printed when something happens. What may happen:
     spindle clockwise      spindle counterclockwise spindle off
     coolant flood          coolant mist             coolant through  coolant off
     stop                   optional stop            dwell         message
-    rapid                  feed
+    approach               approach feed            rapid         feed
 
     on spindle clockwise { \"S{speed} M3\" }",
 };

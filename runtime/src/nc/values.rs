@@ -1,0 +1,71 @@
+//! What the placeholders of a block stand for, and how that is printed.
+
+use super::dialect::{Dialect, Picture, Point, Value, Word};
+use super::text::{print_comment, print_program_name};
+use super::write_error::WriteError;
+
+/// What the placeholders of a command's block stand for.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Values<'a> {
+    /// The program's name, as the user gave it.
+    pub program: &'a str,
+    /// The machine's name.
+    pub machine: &'a str,
+    /// The CL's operation.
+    pub operation: &'a str,
+    /// The CL's name of the tool.
+    pub tool_name: &'a str,
+    /// A message or a comment.
+    pub text: &'a str,
+    /// The tool's number.
+    pub tool: u64,
+    /// The tool's length register.
+    pub register: u64,
+    /// The spindle's speed in revolutions a minute.
+    pub speed_rpm: f64,
+    /// A dwell.
+    pub dwell_s: f64,
+}
+
+/// Seconds where the template gives no picture.
+const SECONDS: Picture = Picture { decimals: 3, point: Point::Needed, ..Picture::WHOLE };
+
+impl Values<'_> {
+    /// Prints what a placeholder stands for.
+    pub(super) fn print(
+        &self,
+        value: Value,
+        picture: Option<&Picture>,
+        dialect: &Dialect,
+        out: &mut Vec<u8>,
+    ) -> Result<(), WriteError> {
+        let delimiters = (dialect.comment.0.as_str(), dialect.comment.1.as_str());
+        let mut number = |name, plain: &Picture, number| print_number(name, number, picture.unwrap_or(plain), out);
+        match value {
+            Value::Tool => return number("tool", &Picture::WHOLE, self.tool as f64),
+            Value::Register => return number("register", &Picture::WHOLE, self.register as f64),
+            Value::Speed => return number("speed", &Picture::WHOLE, self.speed_rpm),
+            Value::Seconds => return number("seconds", &SECONDS, self.dwell_s),
+            Value::Milliseconds => return number("milliseconds", &Picture::WHOLE, self.dwell_s * 1000.0),
+            Value::Program if print_program_name(self.program, out) => {}
+            Value::Program => return Err(WriteError::NoProgramName),
+            Value::Machine => print_comment(self.machine, delimiters, out),
+            Value::Operation => print_comment(self.operation, delimiters, out),
+            Value::ToolName => print_comment(self.tool_name, delimiters, out),
+            Value::Text => print_comment(self.text, delimiters, out),
+            Value::Offset => out.extend_from_slice(dialect.offset.as_bytes()),
+            Value::Units => out.extend_from_slice(dialect.codes.units.as_bytes()),
+            Value::FeedMode | Value::Retract => {} // the writer knows the state and the axes
+        }
+        Ok(())
+    }
+}
+
+fn print_number(name: &str, value: f64, picture: &Picture, out: &mut Vec<u8>) -> Result<(), WriteError> {
+    let units = picture.units(value).ok_or_else(|| {
+        let word = Word { name: name.into(), address: String::new(), picture: picture.clone() };
+        WriteError::too_large(&word, value)
+    })?;
+    picture.print(units, out);
+    Ok(())
+}

@@ -1,0 +1,52 @@
+//! A controller that prints `{retract}` for a machine without an end to retract to. Looks at the finished tables.
+
+use crate::diagnostic::{Code, Diagnostic};
+use crate::emit::tables;
+use crate::model::draft::Draft;
+use crate::model::machine::Model;
+use crate::model::source::{Located, Location};
+use crate::syntax::tree::{ControllerStatement, TemplatePiece};
+use mach_runtime::machine::Retract;
+
+/// An axis without the end that `{retract}` stands for.
+pub(crate) static NO_WAY_OUT: Code = Code {
+    id: "E0554",
+    title: "there is no travel limit to retract to",
+    explanation: "\
+`{retract}` stands for the axis word that takes the tool out: the linear axis that moves most along the tool axis with
+every axis at zero, at the end of its travel that is farthest from the workpiece, in machine coordinates. An axis without
+limits has no such end.
+
+    linear Z along +z                          // how far is up?
+    linear Z along +z travel -450 .. 60        // `{retract}` is Z60.
+
+Give the axis its travel, counted as the control counts it, or write the block anew in the machine's own `controller`
+block.
+",
+};
+
+/// The first `{retract}` of the controller's, if the machine has no end for it.
+pub(crate) fn check(
+    model: &Model,
+    draft: &Draft<'_>,
+    statements: &[Located<ControllerStatement>],
+) -> Option<Diagnostic> {
+    let at = statements.iter().find_map(placeholder)?;
+    let axes = tables::machine(model).axes;
+    let retract = Retract::of(&axes).filter(|retract| retract.end_mm.is_infinite())?;
+    let name = &axes[retract.axis].name;
+    let end = if retract.is_upper { "upper" } else { "lower" };
+    let message = format!("`{{retract}}` needs the {end} end of the travel of {name}");
+    let diagnostic = super::error(draft, &NO_WAY_OUT, message, &at, "where is that?");
+    let axis = draft.axis(name).map(|(_, axis)| draft.sources.place(&axis.name.at));
+    Some(axis.into_iter().fold(diagnostic, |diagnostic, at| diagnostic.at(at, "has no limits")))
+}
+
+/// Where the statement says `{retract}`.
+fn placeholder(statement: &Located<ControllerStatement>) -> Option<Location> {
+    let ControllerStatement::On { body, .. } = &statement.value else { return None };
+    let mut pieces = body.statements.iter().flat_map(|line| &line.node.pieces);
+    let said =
+        pieces.find(|piece| matches!(&piece.value, TemplatePiece::Placeholder { name, .. } if name == "retract"));
+    said.map(|piece| statement.at.with(&piece.span))
+}
