@@ -5,7 +5,7 @@ use super::clsf::{Clsf, Cutter, Pose};
 
 const RADIUS_MM: f64 = 100.0;
 const TOP_MM: f64 = 30.0;
-const HALF_DEG: f64 = 20.0;
+const HALF_DEG: f64 = 18.0;
 const MISS_DEG: f64 = 0.1;
 const STEPS: u32 = 20;
 /// Where the strokes lead to, from x.
