@@ -114,6 +114,7 @@ pub fn lower(controller: &Controller<'_>, axes: &[Axis<'_>]) -> Result<Dialect, 
     let blocks = block::blocks(&mut lowering, axes, &modal_groups, &comment);
     let extension = lowering.last(extension_statement).map(|(index, text)| lowering.printable(index, text));
     let offset = lowering.last(offset_statement).map(|(index, text)| lowering.printable(index, text));
+    let retract = lowering.last(retract_statement).map(|(index, text)| lowering.printable(index, text));
     let dialect = Dialect {
         name: controller.name.to_owned(),
         units,
@@ -121,6 +122,7 @@ pub fn lower(controller: &Controller<'_>, axes: &[Axis<'_>]) -> Result<Dialect, 
         comment,
         sequence: sequence(&mut lowering),
         offset: offset.unwrap_or_default(),
+        retract,
         codes: codes(&mut lowering, units),
         axes: axis_words,
         feed_per_revolution: word::feed_per_revolution(&mut lowering, &formats).unwrap_or_else(|| feed.clone()),
@@ -136,6 +138,10 @@ pub fn lower(controller: &Controller<'_>, axes: &[Axis<'_>]) -> Result<Dialect, 
 
 fn extension_statement(statement: &ControllerStatement) -> Option<&Text> {
     if let ControllerStatement::Extension(text) = statement { Some(text) } else { None }
+}
+
+fn retract_statement(statement: &ControllerStatement) -> Option<&Text> {
+    if let ControllerStatement::Retract(text) = statement { Some(text) } else { None }
 }
 
 fn offset_statement(statement: &ControllerStatement) -> Option<&Text> {

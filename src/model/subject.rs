@@ -77,6 +77,7 @@ impl Statement for ControllerStatement {
             Self::Comment { .. } => "comment".to_owned(),
             Self::NoSequence | Self::Sequence { .. } => "sequence".to_owned(),
             Self::Offset(_) => "offset".to_owned(),
+            Self::Retract(_) => "retract".to_owned(),
             Self::UnitsCode { .. } => "code units".to_owned(),
             Self::FeedCode { .. } => "code feed".to_owned(),
             Self::Format { name, .. } => format!("format {}", name.value),

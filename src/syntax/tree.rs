@@ -351,6 +351,8 @@ pub enum ControllerStatement {
     },
     /// `offset "G54"`: the work offset's code.
     Offset(Text),
+    /// `retract "Z0."`: what `{retract}` prints, where it is not the end of the travel.
+    Retract(Text),
     /// `code units mm "G21" inch "G20"`.
     UnitsCode {
         /// For millimetres.

@@ -229,6 +229,7 @@ fn simple_statement() -> impl Strategy<Value = ControllerStatement> {
             greatest
         }),
         text().prop_map(S::Offset),
+        text().prop_map(S::Retract),
         (text(), text()).prop_map(|(mm, inch)| S::UnitsCode { mm, inch }),
         (text(), option::of(text())).prop_map(|(minute, revolution)| S::FeedCode { minute, revolution }),
         (axis(), expression(), expression()).prop_map(|(axis, from, to)| S::WriteRange { axis, from, to }),

@@ -48,8 +48,12 @@ impl AxisWord {
             .ok_or_else(|| WriteError::too_large(&self.word, value))
     }
 
-    /// The units to print for the way out, as the machine counts it: at the end of the travel, or just within it.
+    /// The units to print for the way out, as the machine counts it: at the end of the travel, or just within it. Zero
+    /// where the travel has no end, as most controls count from there.
     pub(super) fn retract_units(&self, retract: &Retract) -> Result<i64, WriteError> {
+        if retract.end_mm.is_infinite() {
+            return Ok(0);
+        }
         let value = retract.end_mm * self.scale;
         let picture = &self.word.picture;
         let units = picture.units(value).ok_or_else(|| WriteError::too_large(&self.word, value))?;

@@ -261,6 +261,8 @@ pub struct Dialect {
     pub sequence: Option<Sequence>,
     /// The work offset's code.
     pub offset: String,
+    /// What `{retract}` prints, where it is not the end of the travel.
+    pub retract: Option<String>,
     /// The codes for the program's unit of length, feed a minute and feed a revolution.
     pub codes: Codes,
     /// The words of the machine's axes, in the machine's order.

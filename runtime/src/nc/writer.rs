@@ -99,7 +99,7 @@ impl Writer {
             let open = OpenLine::begin(line.numbered, &self.state.numbering, out);
             for piece in &line.pieces {
                 let printed = match piece {
-                    Piece::Value(Value::Retract, _) => print_retract(self.retract, &self.axes, out),
+                    Piece::Value(Value::Retract, _) => self.print_retract(out),
                     _ => command_piece(piece, &self.dialect, &mut self.state, values, open, out),
                 };
                 if let Err(error) = printed {
@@ -116,6 +116,18 @@ impl Writer {
         if trigger == Trigger::Tool || moves(block, &self.dialect) {
             self.state.forget();
         }
+        Ok(())
+    }
+
+    /// Prints the word that takes the tool to its way out.
+    fn print_retract(&self, out: &mut Vec<u8>) -> Result<(), WriteError> {
+        if let Some(text) = &self.dialect.retract {
+            out.extend_from_slice(text.as_bytes());
+            return Ok(());
+        }
+        let retract = self.retract.expect("some axis of a checked machine moves along its tool");
+        let axis = &self.axes[retract.axis];
+        axis.print(axis.retract_units(&retract)?, out);
         Ok(())
     }
 
@@ -266,13 +278,5 @@ fn command_piece(
         }
         Piece::Value(value, picture) => values.print(*value, picture.as_ref(), dialect, out)?,
     }
-    Ok(())
-}
-
-/// Prints the word that takes the tool to its way out.
-fn print_retract(retract: Option<Retract>, axes: &[AxisWord], out: &mut Vec<u8>) -> Result<(), WriteError> {
-    let retract = retract.expect("some axis of a checked machine moves along its tool");
-    let axis = &axes[retract.axis];
-    axis.print(axis.retract_units(&retract)?, out);
     Ok(())
 }

@@ -92,6 +92,7 @@ pub(crate) fn dialect() -> Dialect {
         comment: ("(".into(), ")".into()),
         sequence: Some(Sequence { address: "N".into(), start: 10, step: 10, greatest: 50 }),
         offset: "G54".into(),
+        retract: None,
         codes: Codes { units: "G21".into(), per_minute: "G94".into(), per_revolution: Some("G95".into()) },
         axes: axes().iter().map(|axis| word(&axis.name)).collect(),
         feed: Word { picture: Picture { integer_digits: 5, decimals: 1, ..picture() }, ..word("F") },

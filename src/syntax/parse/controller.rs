@@ -37,6 +37,7 @@ impl<'t> Builder<'_, 't> {
             },
             Rule::sequence_statement => self.sequence(parts),
             Rule::offset_statement => ControllerStatement::Offset(parts.text()),
+            Rule::retract_statement => ControllerStatement::Retract(parts.text()),
             Rule::code_statement => codes(parts.next()),
             Rule::format_statement => ControllerStatement::Format {
                 name: parts.name(),

@@ -56,6 +56,7 @@ fn plain(statement: &ControllerStatement) -> String {
             format!("sequence {}{clauses}", quoted(address))
         }
         ControllerStatement::Offset(text) => format!("offset {}", quoted(text)),
+        ControllerStatement::Retract(text) => format!("retract {}", quoted(text)),
         ControllerStatement::UnitsCode { mm, inch } => {
             format!("code units mm {} inch {}", quoted(mm), quoted(inch))
         }
