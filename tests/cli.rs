@@ -121,6 +121,14 @@ fn standard_input_is_a_file_like_others() {
 }
 
 #[test]
+fn solving_reads_standard_input_as_well() {
+    let workshop = Workshop::new("solve_stdin");
+    let printed = workshop.run(&["solve", "mill.mach", "part.cls"]).stdout;
+    assert_eq!(workshop.run_with(&["solve", "mill.mach", "-"], &workshop.read("part.cls")).stdout, printed);
+    assert!(workshop.run_with(&["solve", "mill.mach", "-"], "GOTO/1").stderr.contains("--> <stdin>:1:7\n"));
+}
+
+#[test]
 fn solving_goes_both_ways() {
     let workshop = Workshop::new("solve");
     let solved = workshop.run(&["solve", "mill.mach", "part.cls"]);
@@ -197,6 +205,19 @@ fn a_reader_that_has_seen_enough_is_no_failure() {
         assert_eq!(status, 0, "{arguments:?}: {stderr}");
         assert!(!stderr.contains("panicked"), "{stderr}");
     }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_with_a_name_is_read_once() {
+    let workshop = Workshop::new("fifo");
+    let pipe = workshop.path("pipe.cls");
+    assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    let writer = std::thread::spawn(move || std::fs::write(pipe, "FEDRAT/100\nGOTO/9999,0,0\n").unwrap());
+    let run = workshop.run(&["post", "mill.mach", "pipe.cls"]);
+    writer.join().unwrap();
+    assert_eq!(run.status, 1);
+    assert!(run.stderr.contains("--> pipe.cls:2:1\n"), "{}", run.stderr);
 }
 
 #[cfg(unix)]
