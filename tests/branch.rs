@@ -54,6 +54,17 @@ fn in_a_cut_and_without_a_tilt_to_come_the_free_axis_stays() {
 }
 
 #[test]
+fn a_point_out_of_reach_has_candidates_of_its_own() {
+    let workshop = Workshop::new("out_of_reach");
+    let machine = MILL.replace("chain w C A b", "chain w A b").replace("rotary C about", "// ");
+    workshop.write("mill.mach", &machine);
+    let run = workshop.run_with(&["solve", "mill.mach", "-"], "RAPID\nGOTO/1,2,3,0,0,1\nRAPID\nGOTO/4,5,6,1,0,0\n");
+    assert_eq!(run.status, 1, "{}", run.stderr);
+    let line: Value = serde_json::from_str(run.stdout.lines().nth(1).expect("two points")).expect("JSON");
+    assert_eq!((&line["chosen"], &line["candidates"][0]["joints"]["X"]), (&Value::Null, &4.0.into()));
+}
+
+#[test]
 fn a_limit_can_be_reached_exactly() {
     assert_eq!(rotaries("-30 .. 120 deg", "", TO_Y)[2].0, -30.0);
     assert_eq!(rotaries("0 .. 30 deg", "", TO_Y)[2].0, 30.0);

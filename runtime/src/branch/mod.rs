@@ -48,7 +48,8 @@ impl<'m> Chooser<'m> {
         Self { machine, previous: None, candidates }
     }
 
-    /// The candidates of the last point, in the order of the plan's branches.
+    /// The candidates of the last point, in the order of the plan's branches; about the closest that the machine can do
+    /// where the point was out of reach.
     pub fn candidates(&self) -> &[Candidate] {
         &self.candidates
     }
@@ -69,6 +70,7 @@ impl<'m> Chooser<'m> {
         kinematics: &mut dyn Kinematics,
     ) -> Choice {
         if self.is_out_of_reach(solutions, lane) {
+            self.fill(solutions, lane);
             return Choice::OutOfReach(-solutions.reach_rad[lane]);
         }
         match kinematics.free_axis().filter(|_| solutions.pole_sine[lane] < POLE_SINE) {
