@@ -1,12 +1,13 @@
 //! Points to joints, block by block: the kinematics gives every candidate, the choice goes through them in order.
 
 use crate::branch::{Candidate, Choice, Chooser};
-use crate::cl::event::Point;
+use crate::cl::event::{Approach, Point};
 use crate::kinematics::{Kinematics, LANES, PoseBlock, SolutionBlock};
 use crate::machine::Machine;
 use crate::vector::add;
 
-/// Solves a path of any length.
+/// Solves a path of any length. The points of a block are solved together: where the first rotary is free and the tool
+/// not in a cut, it looks ahead to the end of the block, so that it stands right when the cut begins to tilt.
 pub struct PathSolver<'a> {
     machine: &'a Machine,
     pub(crate) kinematics: &'a mut dyn Kinematics,
@@ -66,7 +67,9 @@ impl<'a> PathSolver<'a> {
         self.kinematics.inverse(&self.poses, self.machine.tool_length_mm, &mut self.solutions);
         for (lane, point) in points.iter().enumerate() {
             let is_first = !self.chooser.has_position();
-            let choice = self.chooser.choose(&self.solutions, lane, self.poses.tip(lane), self.kinematics);
+            let in_cut = !is_first && matches!(point.approach, Approach::Feed(_));
+            let ahead = if in_cut { 0..0 } else { lane + 1..points.len() };
+            let choice = self.chooser.choose(&self.solutions, lane, ahead, self.poses.tip(lane), self.kinematics);
             each(&Solved { point, lane, choice, candidates: self.chooser.candidates(), is_first });
         }
     }

@@ -36,6 +36,12 @@ pub(super) fn open(path: &str) -> Result<(Box<dyn Read>, Option<u64>), Failure> 
     Ok((Box::new(file), metadata.is_file().then_some(metadata.len())))
 }
 
+/// A file for a second look; nothing where there is none to be had. To open a pipe, or standard input while its reader is
+/// still there, would be to wait for ever.
+pub(super) fn reopened(path: &str) -> Option<File> {
+    if path != "-" && Path::new(path).is_file() { File::open(path).ok() } else { None }
+}
+
 /// The name that a file has in diagnostics.
 pub(super) fn shown(path: &str) -> &str {
     if path == "-" { "<stdin>" } else { path }

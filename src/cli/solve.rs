@@ -74,7 +74,7 @@ fn solve(prepared: &Prepared, cl: &str, options: &Options, report: &Report) -> R
     lines.flush()?;
     let status = report.tell(&quoted(told.into_diagnostics(), cl));
     if unsolved > 0 {
-        report.note(&format!("{unsolved} points cannot be reached: their `chosen` is null"));
+        report.note(&format!("points that cannot be reached, with `chosen` null: {unsolved}"));
         return Ok(Status::Refused);
     }
     Ok(status)

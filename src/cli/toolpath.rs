@@ -9,7 +9,7 @@ use mach_runtime::nc::dialect::LengthUnit;
 use machc::diagnostic::Diagnostic;
 
 use super::Failure;
-use super::files::{open, shown};
+use super::files::{open, reopened, shown};
 use super::progress::watched;
 use super::report::Report;
 
@@ -58,7 +58,9 @@ impl Options {
 
 /// Puts the lines into the diagnostics that lack them. What cannot be read a second time stays as it is.
 pub(super) fn quoted(mut diagnostics: Vec<Diagnostic>, cl: &str) -> Vec<Diagnostic> {
-    if let (Ok((input, Some(_))), false) = (open(cl), diagnostics.is_empty()) {
+    if !diagnostics.is_empty()
+        && let Some(input) = reopened(cl)
+    {
         let _ = quote(&mut diagnostics, shown(cl), input);
     }
     diagnostics

@@ -18,18 +18,6 @@ GOTO/20.0,0.0,0.0,0.0,-0.6,0.8
 END-OF-PATH
 ";
 
-/// CL data that no program is made of, by what is wrong with it.
-pub(crate) const BAD_CL: [(&str, &[u8]); 8] = [
-    ("empty", b""),
-    ("binary", b"\x7fELF\x02\x01\x01\x00\x00"),
-    ("cut off", b"TOOL PATH/A,TOOL,B\nFEDRAT/100\nGOTO/0,0,0\n"),
-    ("a circle with missing numbers", b"FEDRAT/100\nGOTO/0,0,0\nCIRCLE/0,0,0,0\nGOTO/1,0,0\n"),
-    ("a vector of zero length", b"FEDRAT/100\nGOTO/0,0,0,0,0,0\n"),
-    ("out of travel", b"FEDRAT/100\nGOTO/0,0,0\nGOTO/5000,0,0\n"),
-    ("a cycle", b"FEDRAT/100\nCYCLE/DRILL,RAPTO,3.0,FEDTO,-10.0\nGOTO/0,0,0\nCYCLE/OFF\n"),
-    ("many errors", b"G\nG\nG\nG\nG\nG\nG\nG\nG\nG\nG\nG\nG\nG\nG\nG\nG\nG\nG\nG\nG\nG\nG\nG\n"),
-];
-
 /// What a run gave.
 #[derive(Debug)]
 pub(crate) struct Run {

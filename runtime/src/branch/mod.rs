@@ -8,6 +8,7 @@ pub use candidate::{Candidate, Obstacle};
 use crate::kinematics::{Kinematics, SolutionBlock};
 use crate::machine::Machine;
 use crate::vector::Vec3;
+use std::ops::Range;
 
 /// Below this sine of the angle to the pole the first rotary is free: a few hundred roundings of a unit vector, so that
 /// the axis is exact to 1e-12 rad whatever the free axis does.
@@ -47,7 +48,8 @@ impl<'m> Chooser<'m> {
         Self { machine, previous: None, candidates }
     }
 
-    /// The candidates of the last point, in the order of the plan's branches.
+    /// The candidates of the last point, in the order of the plan's branches; about the closest that the machine can do
+    /// where the point was out of reach.
     pub fn candidates(&self) -> &[Candidate] {
         &self.candidates
     }
@@ -57,20 +59,27 @@ impl<'m> Chooser<'m> {
         self.previous.is_some()
     }
 
-    /// Chooses among the candidates of one lane, and goes there.
+    /// Chooses among the candidates of one lane, and goes there. At the pole the free axis goes where the first of the
+    /// lanes `ahead` that is off the pole wants it; it stays where none is, so that an empty range keeps it still.
     pub fn choose(
         &mut self,
         solutions: &SolutionBlock,
         lane: usize,
+        ahead: Range<usize>,
         tip_mm: Vec3,
         kinematics: &mut dyn Kinematics,
     ) -> Choice {
-        if -solutions.reach_rad[lane] > self.machine.axis_tolerance_rad {
+        if self.is_out_of_reach(solutions, lane) {
+            self.fill(solutions, lane);
             return Choice::OutOfReach(-solutions.reach_rad[lane]);
         }
-        self.fill(solutions, lane);
-        if solutions.pole_sine[lane] < POLE_SINE {
-            self.free_at_pole(tip_mm, kinematics);
+        match kinematics.free_axis().filter(|_| solutions.pole_sine[lane] < POLE_SINE) {
+            Some(free) => {
+                let value = self.wanted_ahead(solutions, ahead, free).unwrap_or_else(|| self.at_rest(free));
+                self.fill(solutions, lane);
+                self.free_at_pole(free, value, tip_mm, kinematics);
+            }
+            None => self.fill(solutions, lane),
         }
         let choice = self.pick();
         if let Choice::Candidate { index, .. } = choice {
@@ -94,13 +103,33 @@ impl<'m> Chooser<'m> {
         }
     }
 
-    /// At the pole the free axis stays where it is, and the linear axes follow.
-    fn free_at_pole(&mut self, tip_mm: Vec3, kinematics: &mut dyn Kinematics) {
-        let Some(free) = kinematics.free_axis() else { return };
-        let travel = self.machine.axes[free].travel;
-        let stay = self.previous.as_ref().map_or(0.0_f64.clamp(travel.lower, travel.upper), |previous| previous[free]);
+    fn is_out_of_reach(&self, solutions: &SolutionBlock, lane: usize) -> bool {
+        -solutions.reach_rad[lane] > self.machine.axis_tolerance_rad
+    }
+
+    /// Where the first lane off the pole wants the axis that is free until then.
+    fn wanted_ahead(&mut self, solutions: &SolutionBlock, mut ahead: Range<usize>, free: usize) -> Option<f64> {
+        let lane = ahead.find(|&lane| solutions.pole_sine[lane] >= POLE_SINE)?;
+        if self.is_out_of_reach(solutions, lane) {
+            return None;
+        }
+        self.fill(solutions, lane);
+        match self.pick() {
+            Choice::Candidate { index, .. } => Some(self.candidates[index].joints[free]),
+            _ => None,
+        }
+    }
+
+    /// Where an axis is: at the start as near to zero as it can.
+    fn at_rest(&self, axis: usize) -> f64 {
+        let travel = self.machine.axes[axis].travel;
+        self.previous.as_ref().map_or(0.0_f64.clamp(travel.lower, travel.upper), |previous| previous[axis])
+    }
+
+    /// Puts the axis that is free at the pole to a value; the linear axes follow.
+    fn free_at_pole(&mut self, free: usize, value: f64, tip_mm: Vec3, kinematics: &mut dyn Kinematics) {
         for candidate in &mut self.candidates {
-            candidate.joints[free] = stay;
+            candidate.joints[free] = value;
             kinematics.position(tip_mm, self.machine.tool_length_mm, &mut candidate.joints);
             candidate.settle(&self.machine.axes, self.previous.as_deref());
         }

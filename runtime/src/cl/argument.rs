@@ -81,7 +81,8 @@ impl Record {
 
     /// An error about an argument that is not there.
     pub(super) fn missing(&self, index: usize, text: &str) -> Diagnostic {
-        let message = format!("{} has {}", self.word(), counted(self.len()));
+        let given = if self.len() == 1 && self.argument(0).is_empty() { 0 } else { self.len() };
+        let message = format!("{} has {}", self.word(), counted(given));
         Diagnostic::error(&MISSING_ARGUMENT, message).at(self.place_of(index), text)
     }
 

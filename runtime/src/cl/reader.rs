@@ -18,10 +18,10 @@ use crate::nc::dialect::LengthUnit;
 /// The file ends too early.
 pub(super) static CUT_OPERATION: Code = Code {
     id: "E1004",
-    title: "the file ends inside an operation",
+    title: "an operation does not end",
     explanation: "\
-Every `TOOL PATH/…` is closed by an `END-OF-PATH`. The last one is not: the file was cut off, perhaps while it was being
-written or copied. Export it again.
+Every `TOOL PATH/…` is closed by an `END-OF-PATH`. This one is not: the file, or a file that went into it, was cut off,
+perhaps while it was being written or copied. Export it again.
 ",
 };
 
@@ -208,10 +208,7 @@ impl<R: Read> Reader<R> {
                 self.motion.rapid = true;
                 Ok(())
             }
-            Meaning::Operation => {
-                self.operation = Some(self.record.place());
-                Ok(())
-            }
+            Meaning::Operation => self.begin_operation(),
             Meaning::EndOfPath => {
                 self.operation = None;
                 Ok(())
@@ -238,6 +235,13 @@ impl<R: Read> Reader<R> {
             Meaning::Message | Meaning::Insert => Command::Message(setting::message(record)),
             _ => return Ok(None),
         }))
+    }
+
+    fn begin_operation(&mut self) -> Result<(), Diagnostic> {
+        let place = self.record.place();
+        let Some(open) = self.operation.replace(place.clone()) else { return Ok(()) };
+        let error = Diagnostic::error(&CUT_OPERATION, "an operation begins inside another one");
+        Err(error.at(place, "begins here").at(open, "this operation has no END-OF-PATH"))
     }
 
     fn feed(&mut self) -> Result<(), Diagnostic> {

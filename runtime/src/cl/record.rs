@@ -20,8 +20,8 @@ pub(super) static NOT_TEXT: Code = Code {
     id: "E1001",
     title: "the file is not CL text",
     explanation: "\
-The file holds bytes that no CL text has: NUL bytes or many control characters. It may be a part file, an archive, a
-binary CL file or text in UTF-16.
+The file holds bytes that no CL text has: NUL bytes, many control characters, or carriage returns where no line ends. It
+may be a part file, an archive, a binary CL file, text in UTF-16, or text whose lines end in carriage returns alone.
 
 Export the toolpath as CLSF text (in NX: *Output CLSF*, format `CLSF_STANDARD`), in plain ASCII or UTF-8.
 ",
@@ -96,8 +96,10 @@ impl Record {
             let is_text = is_text(bytes);
             let ends = whole && self.append(bytes);
             if !whole || !is_text {
-                self.raw = bytes.to_vec();
-                self.first_line = source.line();
+                if !(continued && is_text) {
+                    self.raw = bytes.to_vec();
+                    self.first_line = source.line();
+                }
                 return Ok(if is_text { Outcome::Fault(self.too_long()) } else { Outcome::Stop(self.not_text()) });
             }
             if !continued {
@@ -181,11 +183,13 @@ impl Record {
     }
 
     fn not_text(&self) -> Diagnostic {
-        let odd = self.raw.iter().position(|byte| is_odd(*byte)).unwrap_or(0);
+        let lone_return = lone_return(&self.raw);
+        let odd = lone_return.or_else(|| self.raw.iter().position(|byte| is_odd(*byte))).unwrap_or(0);
         let place = self.place_at(odd..odd + 1);
         let error = Diagnostic::error(&NOT_TEXT, "this is not CL text").at(place, "a byte that no CL text has");
         match self.raw.as_slice() {
             [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => error.note("it looks like text in UTF-16: save it as UTF-8"),
+            _ if lone_return.is_some() => error.note("a carriage return alone ends no line: convert the line ends"),
             _ => error,
         }
     }
@@ -215,8 +219,15 @@ fn is_odd(byte: u8) -> bool {
     byte < 0x20 && !matches!(byte, b'\t' | b'\r' | b'\n' | 0x0c | DOS_END) || byte == 0x7f
 }
 
-/// Whether the bytes can be a line of text: no NUL, few control characters.
+/// Whether the bytes can be a line of text: no NUL, few control characters, no other line in it.
 fn is_text(line: &[u8]) -> bool {
     let odd = line.iter().filter(|byte| is_odd(**byte)).count();
-    !line.starts_with(&[0xff, 0xfe]) && memchr::memchr(0, line).is_none() && (odd < 4 || odd * 20 < line.len())
+    let is_utf16 = line.starts_with(&[0xff, 0xfe]);
+    let holds = |byte| memchr::memchr(byte, line).is_some();
+    !is_utf16 && !holds(0) && (odd < 4 || odd * 20 < line.len()) && !(holds(b'\r') && lone_return(line).is_some())
+}
+
+/// A carriage return with text behind it, as if another line began there.
+fn lone_return(line: &[u8]) -> Option<usize> {
+    line.trim_ascii_end().iter().position(|byte| *byte == b'\r')
 }

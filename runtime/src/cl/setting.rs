@@ -102,8 +102,10 @@ pub(super) fn spindle(record: &Record) -> Result<Command, Diagnostic> {
         match record.argument(index) {
             "RPM" | "ON" | "CLW" => {}
             "CCLW" => sense = Spindle::Counterclockwise,
-            "OFF" => return Ok(Command::SpindleOff),
+            "OFF" if record.len() == 1 => return Ok(Command::SpindleOff),
+            "OFF" => return Err(record.missing(index, "`OFF` stands alone")),
             word if starts_word(word) => return Err(unknown_word(record, index, &WORDS)),
+            _ if speed.is_some() => return Err(record.missing(index, "expected one speed")),
             _ => speed = Some(positive(record, index, "a speed is positive")?),
         }
     }
@@ -115,7 +117,7 @@ pub(super) fn spindle(record: &Record) -> Result<Command, Diagnostic> {
 
 /// `COOLNT/…`.
 pub(super) fn coolant(record: &Record) -> Result<Command, Diagnostic> {
-    match record.argument(0) {
+    match only_argument(record)? {
         "ON" | "FLOOD" => Ok(Command::CoolantOn(Coolant::Flood)),
         "MIST" => Ok(Command::CoolantOn(Coolant::Mist)),
         "THRU" => Ok(Command::CoolantOn(Coolant::Through)),
@@ -126,7 +128,7 @@ pub(super) fn coolant(record: &Record) -> Result<Command, Diagnostic> {
 
 /// `UNITS/MM` or `UNITS/INCHES`.
 pub(super) fn units(record: &Record) -> Result<LengthUnit, Diagnostic> {
-    match record.argument(0) {
+    match only_argument(record)? {
         "MM" => Ok(LengthUnit::Millimetre),
         "INCHES" | "INCH" | "IN" => Ok(LengthUnit::Inch),
         _ => Err(unknown_word(record, 0, &["MM", "INCHES"])),
@@ -173,6 +175,11 @@ pub(super) fn message(record: &Record) -> String {
     let text = record.name(0..1);
     let text = text.trim_start();
     text.strip_prefix('/').unwrap_or(text).trim_start().to_owned()
+}
+
+/// The argument of a record that has one, or none.
+fn only_argument(record: &Record) -> Result<&str, Diagnostic> {
+    if record.len() > 1 { Err(record.missing(1, "expected nothing more")) } else { Ok(record.argument(0)) }
 }
 
 fn starts_word(argument: &str) -> bool {

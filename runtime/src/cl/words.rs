@@ -223,7 +223,10 @@ fn not_supported(record: &Record, word: &str, what: &str) -> Diagnostic {
 }
 
 fn unknown_record(record: &Record, word: &str, unknown: Strictness) -> Diagnostic {
-    let message = format!("`{}` is not a record that is known", shortened(word));
+    let message = match word {
+        "" => "a record begins without a word".to_owned(),
+        _ => format!("`{}` is not a record that is known", shortened(word)),
+    };
     let diagnostic = match unknown {
         Strictness::Error => Diagnostic::error(&UNKNOWN_RECORD, message),
         Strictness::Warn => Diagnostic::warning(&UNKNOWN_RECORD_LEFT_OUT, message),

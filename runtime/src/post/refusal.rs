@@ -3,7 +3,7 @@
 use super::{Job, severity};
 use crate::branch::{Candidate, Choice};
 use crate::diagnostic::{Code, Diagnostic, Place, Severity};
-use crate::machine::{Axis, Motion};
+use crate::machine::{Axis, Motion, Travel};
 use crate::path::Solved;
 
 /// E1101.
@@ -112,14 +112,16 @@ fn out_of_travel(job: Job<'_>, solved: &Solved<'_>, index: usize, place: Place) 
         let obstacle = candidate.obstacle?;
         Some((candidate.joints[obstacle.axis], obstacle))
     });
-    let notes: Vec<String> =
+    let mut ways: Vec<String> =
         obstacles.map(|(value, obstacle)| beyond(&axes[obstacle.axis], value, obstacle.beyond)).collect();
+    ways.dedup();
     let worst = solved.candidates[index].obstacle.expect("a candidate out of travel has an obstacle");
     let axis = &axes[worst.axis];
     let message = format!("the point is out of the travel of axis {}", axis.name);
     let label = format!("{} beyond the travel of {}", amount(axis, worst.beyond), axis.name);
-    let note = format!("each solution is beyond a travel limit: {}", notes.join("; "));
-    Diagnostic::error(&OUT_OF_TRAVEL, message).at(place, label).note(note)
+    let error = Diagnostic::error(&OUT_OF_TRAVEL, message).at(place, label);
+    let beginnings = if ways.len() > 1 { &["one way, ", "the other way, "][..] } else { &[""] };
+    beginnings.iter().zip(ways).fold(error, |error, (beginning, way)| error.note(format!("{beginning}{way}")))
 }
 
 /// A point that can be posted, but only by a reposition in the cut.
@@ -140,7 +142,8 @@ fn direction(solved: &Solved<'_>) -> String {
 
 fn beyond(axis: &Axis, value: f64, by: f64) -> String {
     let (value, by) = (amount(axis, value), amount(axis, by));
-    format!("{} would be at {value}, {by} beyond its travel {} .. {}", axis.name, axis.travel.lower, axis.travel.upper)
+    let Travel { lower, upper } = axis.travel;
+    format!("{} would be at {value}, {by} beyond its travel {lower} .. {upper}", axis.name)
 }
 
 fn amount(axis: &Axis, value: f64) -> String {
