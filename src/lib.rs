@@ -7,4 +7,5 @@ pub mod diagnostic;
 pub mod emit;
 pub mod model;
 pub mod plan;
+pub mod snapshot;
 pub mod syntax;
