@@ -1,6 +1,7 @@
 //! machc compiles a data sheet of a machine tool into a post-processor.
 
 mod check;
+pub mod compare;
 pub mod compile;
 pub mod derive;
 pub mod diagnostic;

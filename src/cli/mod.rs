@@ -2,6 +2,7 @@
 
 mod builtin;
 mod check;
+mod diff;
 mod explain;
 mod files;
 mod fmt;
@@ -45,7 +46,7 @@ struct Arguments {
 
 #[derive(Debug, Args)]
 struct Global {
-    /// Write diagnostics and certificates as JSON lines, for tools
+    /// Write diagnostics, certificates and results as JSON lines, for tools
     #[arg(long, global = true)]
     json: bool,
     /// When to use colours; auto: on a terminal, unless NO_COLOR is set
@@ -66,6 +67,7 @@ enum Command {
     Fmt(fmt::Arguments),
     Test(test::Arguments),
     Review(review::Arguments),
+    Diff(diff::Arguments),
     Explain(explain::Arguments),
 }
 
@@ -94,6 +96,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Fmt(arguments) => fmt::run(arguments, &mut report),
         Command::Test(arguments) => test::run(arguments, &report),
         Command::Review(arguments) => review::run(arguments, &report),
+        Command::Diff(arguments) => diff::run(arguments, &report),
         Command::Explain(arguments) => explain::run(arguments),
     };
     match outcome {

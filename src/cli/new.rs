@@ -44,6 +44,7 @@ const FAMILIES: [Family; 7] = [
 /// NAME.mach holds a machine of a family: complete, with comments, and with example values to be replaced by those of
 /// the machine's data sheet. A file that is there already is left alone.
 #[derive(Debug, clap::Args)]
+#[command(override_usage = "machc new <NAME> --like <FAMILY> [OPTIONS]\n       machc new --list")]
 pub(super) struct Arguments {
     /// The machine's name, perhaps with a folder before it
     #[arg(required_unless_present = "list")]
@@ -55,7 +56,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "CONTROLLER", default_value = DEFAULT_CONTROLLER)]
     controller: String,
     /// List the families and the controllers
-    #[arg(long, exclusive = true)]
+    #[arg(long, conflicts_with_all = ["name", "like", "controller"])]
     list: bool,
 }
 
