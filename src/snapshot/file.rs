@@ -1,10 +1,12 @@
 //! Snapshot files as the crate insta writes and reads them: `NAME.snap` is accepted, `NAME.snap.new` waits for a review.
 //!
-//!     ---
-//!     source: machines/vmc3.mach
-//!     description: face_mill on vmc3
-//!     ---
-//!     content
+//! ```text
+//! ---
+//! source: machines/vmc3.mach
+//! description: face_mill on vmc3
+//! ---
+//! content
+//! ```
 
 /// What opens and closes the head.
 const FENCE: &str = "---";
