@@ -1,7 +1,13 @@
 //! The command line from outside: output, diagnostics, exit status, files.
 
+#[path = "cli/diff.rs"]
+mod diff;
 #[path = "cli/machc.rs"]
 mod machc;
+#[path = "cli/new.rs"]
+mod new;
+#[path = "cli/test.rs"]
+mod test;
 
 use machc::{Run, Workshop};
 use serde_json::Value;
@@ -234,7 +240,7 @@ fn a_link_is_followed_and_not_replaced() {
 #[test]
 fn help_fits_the_terminal() {
     let workshop = Workshop::new("help");
-    for command in ["check", "post", "show", "solve", "fmt", "explain"] {
+    for command in ["new", "test", "review", "diff", "check", "post", "show", "solve", "fmt", "explain"] {
         for flag in ["-h", "--help"] {
             let help = workshop.run(&[command, flag]).stdout;
             assert!(help.lines().all(|line| line.chars().count() <= 80), "{help}");

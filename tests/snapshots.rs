@@ -1,18 +1,17 @@
 //! Every shipped machine with every example: the program, the certificate and the diagnostics, locked in `snapshots/`.
 //!
 //! A snapshot is `snapshots/MACHINE@PROGRAM.snap`: the machine file's text, what was told, the certificate, the NC text.
-//! `INSTA_UPDATE=always cargo test --test snapshots` writes them anew. Read what you accept.
+//! `machc test` compares the same. `machc review` accepts, and so does `cargo insta review`. Read what you accept.
 
 use machc::compile::Sources;
-use machc::diagnostic::{Style, render};
+use machc::emit::tables;
+use machc::snapshot::content::{Program, content};
 use std::collections::BTreeSet;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 #[path = "common/machine.rs"]
 mod machine;
-#[path = "common/program.rs"]
-mod program;
 
 /// The names, without the extension, of the folder's files with this extension.
 fn stems(folder: &str, extension: &str) -> BTreeSet<String> {
@@ -29,24 +28,19 @@ fn pairs() -> impl Iterator<Item = (String, String)> {
     stems("machines", "mach").into_iter().flat_map(pair)
 }
 
-/// FNV-1a: tells line ends apart, which the comparison of snapshots does not.
-fn fingerprint(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))
-}
-
 /// What a snapshot holds below its head.
-fn content(machine: &str, program: &str) -> String {
-    let (machine, cl) = (format!("machines/{machine}.mach"), format!("examples/{program}.cls"));
-    let source = machine::Files.read(&machine).expect("readable");
-    let posted = program::posted(&machine::compiled(&machine, &machine::Files), &cl);
-    let told = render(&posted.diagnostics, Style::PLAIN);
-    let mut text = format!("==== {machine}\n{source}\n==== {cl}\n{told}");
-    if let Some(certificate) = &posted.certificate {
-        let (bytes, fingerprint) = (posted.nc.len(), fingerprint(&posted.nc));
-        let nc = String::from_utf8_lossy(&posted.nc);
-        text += &format!("{certificate}\n==== NC, {bytes} bytes, FNV-1a {fingerprint:016x}\n{nc}");
-    }
-    text
+fn locked(machine: &str, program: &str) -> String {
+    let (machine_file, cl_file) = (format!("machines/{machine}.mach"), format!("examples/{program}.cls"));
+    let compiled = machine::compiled(&machine_file, &machine::Files);
+    content(&Program {
+        machine_file: &machine_file,
+        machine_text: &machine::Files.read(&machine_file).expect("readable"),
+        machine: &tables::machine(&compiled.model),
+        plan: &compiled.plan,
+        dialect: compiled.model.dialect.as_ref().expect("a machine with a controller"),
+        cl_file: &cl_file,
+        cl: &fs::read(machine::root().join(&cl_file)).expect("readable"),
+    })
 }
 
 #[test]
@@ -58,7 +52,7 @@ fn every_program_on_every_machine_is_as_locked() {
     let mut wrong = Vec::new();
     for (machine, program) in pairs() {
         settings.set_description(format!("{program} on {machine}"));
-        let (name, content) = (format!("{machine}@{program}"), content(&machine, &program));
+        let (name, content) = (format!("{machine}@{program}"), locked(&machine, &program));
         let compare = || settings.bind(|| insta::assert_snapshot!(name.clone(), content));
         if catch_unwind(AssertUnwindSafe(compare)).is_err() {
             wrong.push(name);

@@ -14,8 +14,9 @@ pub struct Extreme {
 }
 
 impl Extreme {
+    /// Takes the value if it is larger.
     #[inline]
-    fn meet(&mut self, value: f64, line: u64) {
+    pub fn meet(&mut self, value: f64, line: u64) {
         if value > self.value || self.line == 0 {
             *self = Self { value, line };
         }
@@ -33,6 +34,18 @@ pub struct Range {
 }
 
 impl Range {
+    /// An axis that has not gone anywhere yet.
+    pub fn new(axis: &Axis) -> Self {
+        Self { axis: axis.clone(), minus_least: Extreme::default(), greatest: Extreme::default() }
+    }
+
+    /// The axis goes to this joint value.
+    #[inline]
+    pub fn visit(&mut self, line: u64, joint: f64) {
+        self.minus_least.meet(-joint, line);
+        self.greatest.meet(joint, line);
+    }
+
     /// The least value.
     pub fn least(&self) -> Extreme {
         Extreme { value: 0.0 - self.minus_least.value, ..self.minus_least }
@@ -41,6 +54,11 @@ impl Range {
     /// The greatest value.
     pub fn greatest(&self) -> Extreme {
         self.greatest
+    }
+
+    /// Whether it has gone anywhere.
+    pub fn is_visited(&self) -> bool {
+        self.greatest.line != 0
     }
 
     /// From the lower travel limit to the least value; infinite without a limit.
@@ -75,15 +93,13 @@ pub struct Certificate {
 impl Certificate {
     /// Nothing compared yet.
     pub fn new(axes: &[Axis]) -> Self {
-        let range =
-            |axis: &Axis| Range { axis: axis.clone(), minus_least: Extreme::default(), greatest: Extreme::default() };
         Self {
             points: 0,
             blocks: 0,
             tip_mm: Extreme::default(),
             axis_rad: Extreme::default(),
             rotary_step_deg: Extreme::default(),
-            ranges: axes.iter().map(range).collect(),
+            ranges: axes.iter().map(Range::new).collect(),
         }
     }
 
@@ -103,8 +119,7 @@ impl Certificate {
     /// The joints of a point.
     pub(crate) fn visit(&mut self, line: u64, joints: &[f64]) {
         for (range, &joint) in self.ranges.iter_mut().zip(joints) {
-            range.minus_least.meet(-joint, line);
-            range.greatest.meet(joint, line);
+            range.visit(line, joint);
         }
     }
 
@@ -133,7 +148,7 @@ impl fmt::Display for Certificate {
 
 impl fmt::Display for Range {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let unit = if self.axis.motion == Motion::Linear { "mm" } else { "deg" };
+        let unit = self.axis.motion.unit();
         let span = format!("{:.3} .. {:.3} {unit}", rounded(self.least().value), rounded(self.greatest.value));
         write!(f, "{:<22}{span:<30}", format!("{} goes", self.axis.name))?;
         match (self.lower_margin().is_finite(), self.upper_margin().is_finite()) {

@@ -53,6 +53,16 @@ pub enum Motion {
     Rotary,
 }
 
+impl Motion {
+    /// The unit of its values, as it is printed.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Linear => "mm",
+            Self::Rotary => "deg",
+        }
+    }
+}
+
 /// The physical travel; infinite bounds where there is none.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Travel {

@@ -1,12 +1,12 @@
 //! `machc fmt`.
 
-use std::io::Write;
+use std::path::Path;
 
 use machc::syntax::parse::parse;
 use machc::syntax::print::print as printed;
 
-use super::files::{cannot_read, cannot_write, shown, text};
-use super::output::{Output, print};
+use super::files::{cannot_read, shown, text};
+use super::output::{print, write_file};
 use super::report::Report;
 use super::{Failure, Status};
 
@@ -42,10 +42,6 @@ fn format(file: &str, check: bool, report: &Report) -> Result<Status, Failure> {
         (false, _) if check => print(&format!("{}\n", shown(file))).map(|()| Status::Refused),
         (_, "-") => print(&canonical).map(|()| Status::Done),
         (true, _) => Ok(Status::Done),
-        (false, _) => {
-            let mut output = Output::begin(Some(file))?;
-            output.write_all(canonical.as_bytes()).map_err(|error| cannot_write(file, &error))?;
-            output.commit().map(|()| Status::Done)
-        }
+        (false, _) => write_file(Path::new(file), &canonical).map(|()| Status::Done),
     }
 }

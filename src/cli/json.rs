@@ -1,7 +1,6 @@
 //! What `--json` writes: one object a line, each with a `type`.
 
 use mach_runtime::certificate::{self, Extreme, Range};
-use mach_runtime::machine::Motion;
 use machc::diagnostic::{self, Place, Severity};
 use serde::Serialize;
 
@@ -139,10 +138,7 @@ impl<'a> Axis<'a> {
         let margin = |margin: f64| margin.is_finite().then_some(margin);
         Self {
             name: &range.axis.name,
-            unit: match range.axis.motion {
-                Motion::Linear => "mm",
-                Motion::Rotary => "deg",
-            },
+            unit: range.axis.motion.unit(),
             least: Worst::new(range.least()),
             greatest: Worst::new(range.greatest()),
             lower_margin: margin(range.lower_margin()),

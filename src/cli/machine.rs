@@ -1,5 +1,7 @@
 //! From the name of a machine file to everything that is made of it.
 
+use std::path::Path;
+
 use mach_runtime::machine::Machine;
 use machc::compile::{Compiled, compile};
 use machc::derive::prove::Proof;
@@ -26,7 +28,12 @@ pub(super) struct Prepared {
 
 /// Compiles a machine file and tells what there is to tell; nothing when it has errors.
 pub(super) fn prepare(file: &str, report: &Report) -> Result<Option<Prepared>, Failure> {
-    match compile(file, &Folders) {
+    prepare_in(Path::new(""), file, report)
+}
+
+/// The same for a file that is named as seen from another folder.
+pub(super) fn prepare_in(base: &Path, file: &str, report: &Report) -> Result<Option<Prepared>, Failure> {
+    match compile(file, &Folders { base, entry: file }) {
         Ok(Compiled { model, plan, proof, warnings }) => {
             report.tell(&warnings);
             let machine = tables::machine(&model);

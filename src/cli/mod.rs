@@ -1,19 +1,26 @@
 //! The command line: arguments, files, progress. The only place that does I/O.
 
+mod builtin;
 mod check;
+mod diff;
 mod explain;
 mod files;
 mod fmt;
 mod joints;
 mod json;
 mod machine;
+mod new;
 mod output;
 mod post;
 mod progress;
 mod report;
+mod review;
 mod show;
 mod solve;
+mod test;
+mod text_diff;
 mod toolpath;
+mod workspace;
 
 use std::process::ExitCode;
 
@@ -39,7 +46,7 @@ struct Arguments {
 
 #[derive(Debug, Args)]
 struct Global {
-    /// Write diagnostics and certificates as JSON lines, for tools
+    /// Write diagnostics, certificates and results as JSON lines, for tools
     #[arg(long, global = true)]
     json: bool,
     /// When to use colours; auto: on a terminal, unless NO_COLOR is set
@@ -52,11 +59,15 @@ struct Global {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    New(new::Arguments),
     Check(check::Arguments),
     Post(post::Arguments),
     Show(show::Arguments),
     Solve(solve::Arguments),
     Fmt(fmt::Arguments),
+    Test(test::Arguments),
+    Review(review::Arguments),
+    Diff(diff::Arguments),
     Explain(explain::Arguments),
 }
 
@@ -77,11 +88,15 @@ pub(crate) fn run() -> ExitCode {
     let Arguments { command, global } = Arguments::parse();
     let mut report = Report::new(global.json, global.color, global.quiet);
     let outcome = match command {
+        Command::New(arguments) => new::run(arguments, &report),
         Command::Check(arguments) => check::run(arguments, &mut report),
         Command::Post(arguments) => post::run(arguments, &mut report),
         Command::Show(arguments) => show::run(arguments, &mut report),
         Command::Solve(arguments) => solve::run(arguments, &mut report),
         Command::Fmt(arguments) => fmt::run(arguments, &mut report),
+        Command::Test(arguments) => test::run(arguments, &report),
+        Command::Review(arguments) => review::run(arguments, &report),
+        Command::Diff(arguments) => diff::run(arguments, &report),
         Command::Explain(arguments) => explain::run(arguments),
     };
     match outcome {

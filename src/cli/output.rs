@@ -111,6 +111,16 @@ impl Write for Spool {
     }
 }
 
+/// Writes a whole file, and the folder it is in where that is missing.
+pub(super) fn write_file(path: &Path, text: &str) -> Result<(), Failure> {
+    let name = path.to_string_lossy();
+    let folder = path.parent().unwrap_or(Path::new(""));
+    fs::create_dir_all(folder).map_err(|error| cannot_write(&folder.to_string_lossy(), &error))?;
+    let mut output = Output::begin(Some(&name))?;
+    output.write_all(text.as_bytes()).map_err(|error| cannot_write(&name, &error))?;
+    output.commit()
+}
+
 /// Writes to standard output.
 pub(super) fn print(text: &str) -> Result<(), Failure> {
     let mut stdout = stdout().lock();

@@ -2,6 +2,7 @@
 
 use mach_runtime::post::{Job, post};
 use machc::diagnostic::{Code, Diagnostic, Place};
+use machc::model::machine::Model;
 use machc::plan::Interpreter;
 
 use super::files::{cannot_read, shown, stem};
@@ -52,9 +53,7 @@ pub(super) fn run(arguments: Arguments, report: &mut Report) -> Result<Status, F
     let Arguments { machine, cl, output, program, options } = arguments;
     let Some(prepared) = prepare(&machine, report)? else { return Ok(Status::Refused) };
     let Some(dialect) = &prepared.model.dialect else {
-        let message = format!("machine `{}` names no controller", prepared.model.name);
-        let whole_file = Place::line(shown(&machine), 1);
-        return Ok(report.tell(&[Diagnostic::error(&NO_CONTROLLER, message).at(whole_file, "")]));
+        return Ok(report.tell(&[no_controller(&prepared.model, &machine)]));
     };
     let machine = options.equipped(prepared.machine);
     let reader = options.reader(&cl, &machine, report)?;
@@ -72,4 +71,10 @@ pub(super) fn run(arguments: Arguments, report: &mut Report) -> Result<Status, F
     nc.commit()?;
     report.certificate(&machine.name, &certificate);
     Ok(status)
+}
+
+/// Nothing can be posted for this machine.
+pub(super) fn no_controller(model: &Model, file: &str) -> Diagnostic {
+    let message = format!("machine `{}` names no controller", model.name);
+    Diagnostic::error(&NO_CONTROLLER, message).at(Place::line(shown(file), 1), "")
 }

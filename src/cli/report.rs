@@ -1,6 +1,6 @@
 //! What is said to the user, on standard error: for people, or as JSON lines for tools.
 
-use std::io::{IsTerminal, Write, stderr};
+use std::io::{IsTerminal, Write, stderr, stdout};
 
 use clap::ValueEnum;
 use mach_runtime::certificate::Certificate;
@@ -21,25 +21,43 @@ pub(super) enum ColorChoice {
     Never,
 }
 
+impl ColorChoice {
+    /// Whether to use colours there.
+    fn is_for(self, stream: &impl IsTerminal) -> bool {
+        match self {
+            Self::Auto => {
+                let wanted = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
+                wanted && stream.is_terminal() && std::env::var_os("TERM").is_none_or(|term| term != "dumb")
+            }
+            Self::Always => true,
+            Self::Never => false,
+        }
+    }
+}
+
 /// Where diagnostics go.
 #[derive(Debug)]
 pub(super) struct Report {
     json: bool,
     quiet: bool,
     style: Style,
+    colors_stdout: bool,
 }
 
 impl Report {
     pub(super) fn new(json: bool, color: ColorChoice, quiet: bool) -> Self {
-        let color = match color {
-            ColorChoice::Auto => {
-                let wanted = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
-                wanted && stderr().is_terminal() && std::env::var_os("TERM").is_none_or(|term| term != "dumb")
-            }
-            ColorChoice::Always => true,
-            ColorChoice::Never => false,
-        };
-        Self { json, quiet, style: Style { color, width: terminal_width() } }
+        let style = Style { color: color.is_for(&stderr()), width: terminal_width() };
+        Self { json, quiet, style, colors_stdout: color.is_for(&stdout()) }
+    }
+
+    /// Whether what goes to standard output is for tools.
+    pub(super) fn is_json(&self) -> bool {
+        self.json
+    }
+
+    /// Whether colours are wanted on standard output.
+    pub(super) fn colors_stdout(&self) -> bool {
+        self.colors_stdout
     }
 
     /// Whether a person is watching who wants to know how far the work is.

@@ -6,7 +6,7 @@ use crate::machine::{Axis, Motion, Retract, Written};
 
 /// How an axis' joint value becomes the number in its word.
 #[derive(Debug)]
-pub(super) struct AxisWord {
+pub struct AxisWord {
     word: Word,
     zero: f64,
     length_share: f64,
@@ -17,7 +17,8 @@ pub(super) struct AxisWord {
 }
 
 impl AxisWord {
-    pub(super) fn new(word: &Word, axis: &Axis, units: LengthUnit) -> Self {
+    /// The word of an axis, in a program in these units.
+    pub fn new(word: &Word, axis: &Axis, units: LengthUnit) -> Self {
         let scale = match (axis.motion, units) {
             (Motion::Linear, LengthUnit::Inch) => 1.0 / 25.4,
             _ => 1.0,
@@ -34,8 +35,11 @@ impl AxisWord {
 
     /// The units to print for a joint value in machine coordinates. A turn is taken off after rounding, so that what
     /// rounds to 360 degrees is written as 0.
+    ///
+    /// # Errors
+    /// When the word has too few digits.
     #[inline]
-    pub(super) fn units(&self, joint: f64, tool_length_mm: f64) -> Result<i64, WriteError> {
+    pub fn units(&self, joint: f64, tool_length_mm: f64) -> Result<i64, WriteError> {
         let value = (joint - self.zero - self.length_share * tool_length_mm) * self.scale;
         let picture = &self.word.picture;
         picture
@@ -63,6 +67,16 @@ impl AxisWord {
             false if above < -1e-9 => units + 1,
             _ => units,
         })
+    }
+
+    /// What so many units mean: millimetres or degrees from the program zero.
+    pub fn value(&self, units: i64) -> f64 {
+        units as f64 / self.word.picture.units_per_one() as f64 / self.scale
+    }
+
+    /// Where a control takes the axis for a value in the program: machine coordinates.
+    pub fn joint(&self, value: f64, tool_length_mm: f64) -> f64 {
+        value + self.zero + self.length_share * tool_length_mm
     }
 
     /// Prints the word.

@@ -1,6 +1,6 @@
 //! NC text: the dialect's tables, and the writer that prints by them.
 
-mod axis_word;
+pub mod axis_word;
 pub mod dialect;
 mod feed_word;
 mod line;
