@@ -63,8 +63,11 @@ pub fn check(model: &Model, proof: &Proof) -> Option<Diagnostic> {
         let (tip, axis) = (proof.tip_mm, proof.axis_rad);
         format!("the kinematics of `{}` close only to {tip:.1e} mm and {axis:.1e} rad", model.name)
     };
-    (!proof.holds())
-        .then(|| Diagnostic::error(&NOT_PROVED, message()).note("this is a defect of machc: please report it"))
+    let error = || {
+        let error = Diagnostic::error(&NOT_PROVED, message());
+        error.note("is an offset kilometres long? if none is, this is a defect of machc: please report it")
+    };
+    (!proof.holds()).then(error)
 }
 
 /// Forward, inverse, and forward again.
