@@ -11,7 +11,7 @@ const TRAVEL_TOLERANCE: f64 = 1e-6;
 pub struct Candidate {
     /// In machine coordinates, millimetres and degrees, in the machine's order.
     pub joints: Vec<f64>,
-    /// The axis that is farthest beyond its travel, if one is.
+    /// The axis that is farthest beyond its travel, if one is; rotary axes first.
     pub obstacle: Option<Obstacle>,
     /// The travel of the rotary axes from the previous position (from zero at the start), in degrees, summed.
     pub rotary_travel_deg: f64,
@@ -26,6 +26,14 @@ pub struct Obstacle {
     pub axis: usize,
     /// By how much, in millimetres or degrees.
     pub beyond: f64,
+}
+
+impl Obstacle {
+    /// A rotary axis beyond its travel counts for more than a linear one: where the linear axes are is its doing.
+    fn outweighs(&self, other: Self, axes: &[Axis]) -> bool {
+        let is_rotary = |obstacle: &Self| axes[obstacle.axis].motion == Motion::Rotary;
+        (is_rotary(self), self.beyond) > (is_rotary(&other), other.beyond)
+    }
 }
 
 impl Candidate {
@@ -47,9 +55,9 @@ impl Candidate {
                 *joint = within;
             }
             if !is_within(*joint, axis.travel) {
-                let beyond = beyond(*joint, axis.travel);
-                if beyond > obstacle.map_or(TRAVEL_TOLERANCE, |found| found.beyond) {
-                    *obstacle = Some(Obstacle { axis: index, beyond });
+                let found = Obstacle { axis: index, beyond: beyond(*joint, axis.travel) };
+                if found.beyond > TRAVEL_TOLERANCE && obstacle.is_none_or(|known| found.outweighs(known, axes)) {
+                    *obstacle = Some(found);
                 }
             }
         }

@@ -1,7 +1,7 @@
 //! Points that the machine cannot go to, as diagnostics.
 
 use super::{Job, severity};
-use crate::branch::{Candidate, Choice};
+use crate::branch::{Candidate, Choice, Obstacle};
 use crate::diagnostic::{Code, Diagnostic, Place, Severity};
 use crate::machine::{Axis, Motion, Travel};
 use crate::path::Solved;
@@ -132,7 +132,16 @@ pub(super) fn of_step(job: Job<'_>, solved: &Solved<'_>, chosen: &Candidate) -> 
         Severity::Warning => Diagnostic::warning(&REPOSITION_WARNING, text),
     };
     let place = Place::line(job.file, solved.point.line);
-    diagnostic.at(place, format!("the rotary axes turn by {:.3} deg to get here", chosen.rotary_travel_deg))
+    let label = format!("the rotary axes turn by {:.3} deg to get here", chosen.rotary_travel_deg);
+    let diagnostic = diagnostic.at(place, label);
+    let blocked = solved.candidates.iter().find_map(|candidate| Some((candidate, candidate.obstacle?)));
+    match blocked {
+        Some((candidate, Obstacle { axis, beyond: by })) => {
+            let way = beyond(&job.machine.axes[axis], candidate.joints[axis], by);
+            diagnostic.note(format!("the other way is barred: {way}"))
+        }
+        None => diagnostic.note("it turns back by whole turns to stay within its travel"),
+    }
 }
 
 fn direction(solved: &Solved<'_>) -> String {
