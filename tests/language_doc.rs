@@ -1,9 +1,9 @@
 //! Every example of the language's reference is what it says.
 
 use machc::compile::{Sources, compile};
-use machc::syntax::event::EVENTS;
 use machc::syntax::parse::parse;
 use machc::syntax::print::print;
+use machc::syntax::tree::Trigger;
 use machc::syntax::unit::UNITS;
 
 const REFERENCE: &str = include_str!("../docs/language.md");
@@ -51,7 +51,7 @@ fn every_example_is_taken_and_laid_out_as_the_printer_would() {
 #[test]
 fn every_unit_and_event_is_in_a_table() {
     let tables: Vec<&str> = REFERENCE.lines().filter(|line| line.starts_with('|')).collect();
-    for word in UNITS.iter().map(|(unit, _)| unit).chain(EVENTS.iter().map(|(event, _)| event)) {
+    for word in UNITS.iter().map(|(unit, _)| *unit).chain(Trigger::ALL.iter().map(|event| event.name())) {
         assert!(tables.iter().any(|line| line.contains(&format!("`{word}`"))), "`{word}` is not in the reference");
     }
 }

@@ -150,15 +150,11 @@ fn offset_statement(statement: &ControllerStatement) -> Option<&Text> {
 
 /// The program's unit of length; millimetres where nothing is said.
 fn units(lowering: &Lowering<'_>) -> LengthUnit {
-    use crate::syntax::tree::LengthUnit as Said;
     let said = lowering.last(|statement| match statement {
         ControllerStatement::Units(units) => Some(units.value),
         _ => None,
     });
-    match said {
-        Some((_, Said::Inch)) => LengthUnit::Inch,
-        Some((_, Said::Millimetre)) | None => LengthUnit::Millimetre,
-    }
+    said.map_or(LengthUnit::Millimetre, |(_, units)| units)
 }
 
 /// What encloses comments; parentheses where nothing is said.

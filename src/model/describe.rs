@@ -10,9 +10,9 @@ use super::source::{Located, Location, SourceMap};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::syntax::tree::{
     AxisClause, BranchStatement, ControllerStatement, Expression, MachineStatement, Name, Preference, Spanned,
-    Strictness as Said, ToleranceKind,
+    ToleranceKind,
 };
-use mach_runtime::machine::{Motion, Strictness, Travel};
+use mach_runtime::machine::{Motion, Travel};
 use nalgebra::Vector3;
 
 /// A linear axis that turns.
@@ -117,7 +117,7 @@ fn statement_into(evaluator: &mut Evaluator<'_>, draft: &mut Draft<'_>, statemen
                 draft.chord_tolerance_mm = evaluator.number(source, value, Field::Length, Sign::Positive);
             }
         },
-        MachineStatement::Records(said) => draft.unknown_records = Some(strictness(said.value)),
+        MachineStatement::Records(said) => draft.unknown_records = Some(said.value),
         MachineStatement::Branch(body) => {
             body.statements.iter().for_each(|stated| branch_into(draft, &stated.node, &statement.at));
         }
@@ -131,14 +131,7 @@ fn branch_into(draft: &mut Draft<'_>, statement: &BranchStatement, at: &Location
     match statement {
         BranchStatement::Start(preferences) => draft.start = located(preferences),
         BranchStatement::Then(preferences) => draft.then = located(preferences),
-        BranchStatement::Reposition(said) => draft.reposition = Some(strictness(said.value)),
-    }
-}
-
-fn strictness(said: Said) -> Strictness {
-    match said {
-        Said::Error => Strictness::Error,
-        Said::Warn => Strictness::Warn,
+        BranchStatement::Reposition(said) => draft.reposition = Some(said.value),
     }
 }
 

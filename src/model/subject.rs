@@ -84,7 +84,7 @@ impl Statement for ControllerStatement {
             Self::Word { names, .. } => return all("word", names),
             Self::WriteRange { axis, .. } | Self::WriteUnwound(axis) => format!("write {}", axis.value),
             Self::Modal(codes) => return all("modal", codes),
-            Self::On { event, .. } => format!("on {}", event.value.words()),
+            Self::On { event, .. } => format!("on {}", event.value.name()),
         };
         vec![subject]
     }

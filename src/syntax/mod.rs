@@ -1,6 +1,5 @@
 //! Text to tree and tree to text.
 
-pub mod event;
 pub mod parse;
 pub mod place;
 pub mod print;

@@ -1,5 +1,7 @@
 //! The syntax tree of a `.mach` file. Every node that a diagnostic may point at carries its span.
 
+pub use mach_runtime::machine::Strictness;
+pub use mach_runtime::nc::dialect::{LengthUnit, Trigger};
 use std::ops::Range;
 
 /// A byte range in the file's text.
@@ -190,15 +192,6 @@ pub enum ToleranceKind {
     Axis,
     /// Between an arc and the segments it is written as.
     Chord,
-}
-
-/// What to do with input that asks for a decision.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Strictness {
-    /// `error`.
-    Error,
-    /// `warn`.
-    Warn,
 }
 
 /// A statement of a `branch` block.
@@ -403,62 +396,10 @@ pub enum ControllerStatement {
     /// `on EVENT { LINE… }`.
     On {
         /// Which event.
-        event: Spanned<Event>,
+        event: Spanned<Trigger>,
         /// The lines it prints.
         body: Body<LineTemplate>,
     },
-}
-
-/// The unit of length of a program.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum LengthUnit {
-    /// `mm`.
-    Millimetre,
-    /// `inch`.
-    Inch,
-}
-
-/// What prints a block.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Event {
-    /// `start`.
-    Start,
-    /// `end`.
-    End,
-    /// `operation`.
-    Operation,
-    /// `tool`.
-    Tool,
-    /// `spindle clockwise`.
-    SpindleClockwise,
-    /// `spindle counterclockwise`.
-    SpindleCounterclockwise,
-    /// `spindle off`.
-    SpindleOff,
-    /// `coolant flood`.
-    CoolantFlood,
-    /// `coolant mist`.
-    CoolantMist,
-    /// `coolant through`.
-    CoolantThrough,
-    /// `coolant off`.
-    CoolantOff,
-    /// `stop`.
-    Stop,
-    /// `optional stop`.
-    OptionalStop,
-    /// `dwell`.
-    Dwell,
-    /// `message`.
-    Message,
-    /// `approach`.
-    Approach,
-    /// `approach feed`.
-    ApproachFeed,
-    /// `rapid`.
-    Rapid,
-    /// `feed`.
-    Feed,
 }
 
 /// One line of a block: `"T{tool} M6"`, or `bare "%"` for a line without a sequence number.

@@ -1,6 +1,5 @@
 //! Any file there may be, as the parser would hand it out but for the spans.
 
-use machc::syntax::event::EVENTS;
 use machc::syntax::tree::*;
 use machc::syntax::unit::UNITS;
 use proptest::collection::vec;
@@ -257,8 +256,8 @@ fn row_statement() -> impl Strategy<Value = ControllerStatement> {
 }
 
 fn on_statement() -> impl Strategy<Value = ControllerStatement> {
-    let events: Vec<Event> = EVENTS.iter().map(|(_, event)| *event).collect();
-    (spanned(select(events)), body(template(), 3)).prop_map(|(event, body)| ControllerStatement::On { event, body })
+    (spanned(select(Trigger::ALL.to_vec())), body(template(), 3))
+        .prop_map(|(event, body)| ControllerStatement::On { event, body })
 }
 
 fn template() -> impl Strategy<Value = LineTemplate> {

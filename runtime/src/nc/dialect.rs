@@ -212,6 +212,11 @@ impl Trigger {
         }
     }
 
+    /// The one that is named like this, with one blank between its words.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|trigger| trigger.name() == name)
+    }
+
     /// Whether a controller may have no block for it, because nothing the CL asks for gets lost.
     pub fn may_lack_a_block(self) -> bool {
         matches!(self, Self::Start | Self::End | Self::Operation | Self::Approach | Self::ApproachFeed)

@@ -3,7 +3,7 @@
 use super::lowering::Lowering;
 use super::template::{self, Scene};
 use super::{Axis, LACKING, motion};
-use crate::syntax::tree::{Body, ControllerStatement, Event, LineTemplate, TemplatePiece};
+use crate::syntax::tree::{Body, ControllerStatement, LineTemplate, TemplatePiece};
 use mach_runtime::diagnostic::Diagnostic;
 use mach_runtime::nc::dialect::{Block, Trigger};
 
@@ -17,7 +17,7 @@ pub(super) fn blocks(
     let mut blocks = Vec::new();
     for trigger in Trigger::ALL {
         let said = lowering.last(|statement| match statement {
-            ControllerStatement::On { event, body } if self::trigger(event.value) == trigger => Some((event, body)),
+            ControllerStatement::On { event, body } if event.value == trigger => Some((event, body)),
             _ => None,
         });
         let Some((index, (event, body))) = said else {
@@ -61,30 +61,5 @@ fn check_codes(lowering: &mut Lowering<'_>, index: usize, body: &Body<LineTempla
             let message = format!("the controller does not say what `{{{name}}}` is");
             lowering.report(&LACKING, message, index, &piece.span, format!("needs a statement such as `{example}`"));
         }
-    }
-}
-
-/// What the runtime calls an event.
-fn trigger(event: Event) -> Trigger {
-    match event {
-        Event::Start => Trigger::Start,
-        Event::End => Trigger::End,
-        Event::Operation => Trigger::Operation,
-        Event::Tool => Trigger::Tool,
-        Event::SpindleClockwise => Trigger::SpindleClockwise,
-        Event::SpindleCounterclockwise => Trigger::SpindleCounterclockwise,
-        Event::SpindleOff => Trigger::SpindleOff,
-        Event::CoolantFlood => Trigger::CoolantFlood,
-        Event::CoolantMist => Trigger::CoolantMist,
-        Event::CoolantThrough => Trigger::CoolantThrough,
-        Event::CoolantOff => Trigger::CoolantOff,
-        Event::Stop => Trigger::Stop,
-        Event::OptionalStop => Trigger::OptionalStop,
-        Event::Dwell => Trigger::Dwell,
-        Event::Message => Trigger::Message,
-        Event::Approach => Trigger::Approach,
-        Event::ApproachFeed => Trigger::ApproachFeed,
-        Event::Rapid => Trigger::Rapid,
-        Event::Feed => Trigger::Feed,
     }
 }

@@ -1,7 +1,7 @@
 //! A trial: one motion of each kind is printed and read back, so that no program is written that cannot be proved.
 
 use super::lowering::Lowering;
-use crate::syntax::tree::{ControllerStatement, Event, Span};
+use crate::syntax::tree::{ControllerStatement, Span};
 use mach_runtime::cl::event::{Approach, Feed};
 use mach_runtime::diagnostic::Code;
 use mach_runtime::machine::{Axis, Motion, Travel, Written};
@@ -27,16 +27,16 @@ Put anything else into the blocks of other events.
 /// Reports a kind of motion whose block cannot be read back.
 pub(super) fn read_back(lowering: &mut Lowering<'_>, dialect: &Dialect) {
     let feed = Approach::Feed(Some(Feed::PerMinute(one_half_mm(dialect))));
-    for (event, trigger, approach) in [
-        (Event::Rapid, Trigger::Rapid, Approach::Rapid),
-        (Event::Feed, Trigger::Feed, feed),
-        (Event::Approach, Trigger::Approach, Approach::Rapid),
-        (Event::ApproachFeed, Trigger::ApproachFeed, feed),
+    for (trigger, approach) in [
+        (Trigger::Rapid, Approach::Rapid),
+        (Trigger::Feed, feed),
+        (Trigger::Approach, Approach::Rapid),
+        (Trigger::ApproachFeed, feed),
     ] {
         let blocks = dialect.block(trigger).into_iter().cloned().collect();
         let Some(text) = unreadable(&Dialect { blocks, ..dialect.clone() }, approach) else { continue };
         let said = lowering.last(|statement| match statement {
-            ControllerStatement::On { event: said, .. } if said.value == event => Some(&said.span),
+            ControllerStatement::On { event: said, .. } if said.value == trigger => Some(&said.span),
             _ => None,
         });
         let (index, span): (usize, &Span) = said.expect("the dialect has this block of the statement");

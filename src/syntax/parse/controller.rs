@@ -4,9 +4,8 @@ use mach_runtime::diagnostic::{Code, Diagnostic, Suggestion};
 
 use super::grammar::{self, Pair, Rule};
 use super::{Builder, Parts, parts, template, word};
-use crate::syntax::event::EVENTS;
 use crate::syntax::spelling::nearest;
-use crate::syntax::tree::{ControllerStatement, Event, Expression, LengthUnit, Spanned, Text};
+use crate::syntax::tree::{ControllerStatement, Expression, LengthUnit, Spanned, Text, Trigger};
 
 /// An event that does not exist.
 pub static UNKNOWN_EVENT: Code = Code {
@@ -85,18 +84,18 @@ impl<'t> Builder<'_, 't> {
         Some(ControllerStatement::On { event: event?, body })
     }
 
-    fn event(&mut self, pair: &Pair<'t>) -> Option<Spanned<Event>> {
+    fn event(&mut self, pair: &Pair<'t>) -> Option<Spanned<Trigger>> {
         let span = grammar::extent(pair);
         let written: Vec<&str> = pair.clone().into_inner().map(|word| word.as_str()).collect();
         let written = written.join(" ");
-        let event = Event::from_words(&written);
+        let event = Trigger::from_name(&written);
         if event.is_none() {
             let place = self.failures.place(&span);
-            let names: Vec<String> = EVENTS.iter().map(|(words, _)| format!("`{words}`")).collect();
+            let names: Vec<String> = Trigger::ALL.iter().map(|event| format!("`{}`", event.name())).collect();
             let mut diagnostic = Diagnostic::error(&UNKNOWN_EVENT, format!("there is no event `{written}`"))
                 .at(place.clone(), "")
                 .note(format!("the events are {}", names.join(", ")));
-            if let Some(meant) = nearest(&written, EVENTS.iter().map(|(words, _)| *words)) {
+            if let Some(meant) = nearest(&written, Trigger::ALL.into_iter().map(Trigger::name)) {
                 let text = format!("did you mean `{meant}`?");
                 diagnostic = diagnostic.suggest(Suggestion { text, place, replacement: meant.to_owned() });
             }

@@ -10,7 +10,7 @@ impl Printer {
     pub(super) fn controller_statement(&mut self, statement: &ControllerStatement, behind: Option<&str>) {
         match statement {
             ControllerStatement::On { event, body } => {
-                self.lines(&format!("on {}", event.value.words()), body, behind);
+                self.lines(&format!("on {}", event.value.name()), body, behind);
             }
             statement => self.line(line(statement), behind),
         }
