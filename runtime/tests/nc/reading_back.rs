@@ -91,30 +91,3 @@ fn what_was_written_is_read_to_half_a_unit_of_each_word() {
         }
     }
 }
-
-/// Not a test of a figure, which depends on the machine: run it with `--release --ignored --nocapture`.
-#[test]
-#[ignore = "prints a figure"]
-fn nanoseconds_a_block() {
-    let path: Vec<[f64; 5]> = path(1_000_000).collect();
-    let mut writer = Writer::new(dialect(), &axes());
-    let mut reader = ReadBack::new(&dialect(), &axes());
-    let mut out = Vec::with_capacity(100 << 20);
-    let mut ends = Vec::with_capacity(path.len());
-    let start = std::time::Instant::now();
-    for joints in &path {
-        writer.motion(Approach::Feed(Some(Feed::PerMinute(1000.0))), joints, 0.0, &mut out).expect("printed");
-        ends.push(out.len());
-    }
-    let written = start.elapsed();
-    let mut from = 0;
-    let mut sum = 0.0;
-    for end in ends {
-        let mut joints = [0.0; 5];
-        reader.read(&out[from..end], 0.0, &mut joints).expect("read");
-        sum += joints[0];
-        from = end;
-    }
-    let read = start.elapsed() - written;
-    println!("written in {} ns a block, read in {} ns ({sum})", written.as_millis(), read.as_millis());
-}
