@@ -41,6 +41,19 @@ impl Graph {
         }
     }
 
+    /// Whether a node is negated, and what is.
+    pub(super) fn sign_and_rest(&self, a: Id) -> (bool, Id) {
+        match self.op(a) {
+            Op::Neg(b) => (true, b),
+            _ => (false, a),
+        }
+    }
+
+    /// The node, negated or not.
+    pub(super) fn with_sign(&mut self, minus: bool, a: Id) -> Id {
+        if minus { self.neg(a) } else { a }
+    }
+
     pub(super) fn known_nonnegative(&self, id: Id) -> bool {
         self.nonnegative[id.index()]
     }
@@ -169,17 +182,12 @@ impl Graph {
             (Some(x), None) => return self.scaled(x, a, b),
             _ => {}
         }
-        match (self.as_neg(a), self.as_neg(b)) {
-            (Some(x), Some(y)) => self.mul(x, y),
-            (Some(x), None) => {
-                let product = self.mul(x, b);
-                self.neg(product)
+        match (self.sign_and_rest(a), self.sign_and_rest(b)) {
+            ((false, _), (false, _)) => self.intern(Op::Mul(a, b)),
+            ((minus_a, x), (minus_b, y)) => {
+                let product = self.mul(x, y);
+                self.with_sign(minus_a != minus_b, product)
             }
-            (None, Some(y)) => {
-                let product = self.mul(a, y);
-                self.neg(product)
-            }
-            (None, None) => self.intern(Op::Mul(a, b)),
         }
     }
 
@@ -213,17 +221,12 @@ impl Graph {
             let inverse = self.constant(1.0 / y);
             return self.mul(inverse, a);
         }
-        match (self.as_neg(a), self.as_neg(b)) {
-            (Some(x), Some(y)) => self.div(x, y),
-            (Some(x), None) => {
-                let quotient = self.div(x, b);
-                self.neg(quotient)
+        match (self.sign_and_rest(a), self.sign_and_rest(b)) {
+            ((false, _), (false, _)) => self.intern(Op::Div(a, b)),
+            ((minus_a, x), (minus_b, y)) => {
+                let quotient = self.div(x, y);
+                self.with_sign(minus_a != minus_b, quotient)
             }
-            (None, Some(y)) => {
-                let quotient = self.div(a, y);
-                self.neg(quotient)
-            }
-            (None, None) => self.intern(Op::Div(a, b)),
         }
     }
 

@@ -103,17 +103,6 @@ impl Graph {
         Some((self.with_sign(minus_y, rest_y), self.with_sign(minus_x, rest_x)))
     }
 
-    fn sign_and_rest(&self, a: Id) -> (bool, Id) {
-        match self.op(a) {
-            Op::Neg(b) => (true, b),
-            _ => (false, a),
-        }
-    }
-
-    fn with_sign(&mut self, minus: bool, a: Id) -> Id {
-        if minus { self.neg(a) } else { a }
-    }
-
     /// `sin² h + cos² h = 1`.
     pub(super) fn squares_of_one_angle(&mut self, a: Id, b: Id) -> Option<Id> {
         let angle = self.squared_pair(a, b).or_else(|| self.squared_pair(b, a))?;
