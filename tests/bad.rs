@@ -4,9 +4,13 @@
 
 use machc::compile::{Sources, compile};
 use machc::diagnostic::{Style, codes, render};
-use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+
+#[path = "common/stems.rs"]
+mod stems;
+
+use stems::stems;
 
 /// Files below `tests/bad`.
 struct Folder(PathBuf);
@@ -21,13 +25,6 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad")
 }
 
-/// The names, without the extension, of the folder's files with this extension.
-fn stems(extension: &str) -> BTreeSet<String> {
-    let paths = fs::read_dir(folder()).expect("tests/bad is there").map(|entry| entry.expect("readable").path());
-    let wanted = paths.filter(|path| path.extension().is_some_and(|found| found == extension));
-    wanted.map(|path| path.file_stem().expect("a name").to_string_lossy().into_owned()).collect()
-}
-
 fn rendered(stem: &str) -> String {
     match compile(&format!("{stem}.mach"), &Folder(folder())) {
         Ok(compiled) if compiled.warnings.is_empty() => panic!("{stem}.mach has no mistake"),
@@ -40,7 +37,7 @@ fn rendered(stem: &str) -> String {
 fn every_mistake_is_shown_as_expected() {
     let bless = std::env::var_os("MACHC_BLESS").is_some();
     let mut wrong = Vec::new();
-    for stem in stems("mach") {
+    for stem in stems("tests/bad", "mach") {
         let path = folder().join(format!("{stem}.stderr"));
         let found = rendered(&stem);
         if bless {
@@ -54,12 +51,12 @@ fn every_mistake_is_shown_as_expected() {
 
 #[test]
 fn no_expected_text_is_left_over() {
-    assert_eq!(stems("stderr"), stems("mach"));
+    assert_eq!(stems("tests/bad", "stderr"), stems("tests/bad", "mach"));
 }
 
 #[test]
 fn every_code_of_the_model_and_the_checks_has_its_example() {
-    let texts: String = stems("mach").iter().map(|stem| rendered(stem)).collect();
+    let texts: String = stems("tests/bad", "mach").iter().map(|stem| rendered(stem)).collect();
     let of_the_model = |id: &str| ["E02", "E03", "E04", "E055", "W0"].iter().any(|group| id.starts_with(group));
     for code in codes().into_iter().filter(|code| of_the_model(code.id)) {
         assert!(texts.contains(&format!("[{}]", code.id)), "no file in tests/bad shows {}", code.id);

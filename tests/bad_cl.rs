@@ -5,23 +5,16 @@
 #[path = "cli/machc.rs"]
 #[allow(dead_code)]
 mod machc;
+#[path = "common/stems.rs"]
+mod stems;
 
 use machc::{Run, Workshop};
 use std::fs;
 use std::path::{Path, PathBuf};
+use stems::stems;
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad_cl")
-}
-
-/// The names, without the extension, of the folder's files with this extension, in order.
-fn stems(extension: &str) -> Vec<String> {
-    let paths = fs::read_dir(folder()).expect("tests/bad_cl is there").map(|entry| entry.expect("readable").path());
-    let wanted = paths.filter(|path| path.extension().is_some_and(|found| found == extension));
-    let mut stems: Vec<_> =
-        wanted.map(|path| path.file_stem().expect("a name").to_string_lossy().into_owned()).collect();
-    stems.sort();
-    stems
 }
 
 /// Refuses this CL file, with nothing but diagnostics to show for it, and gives what was said.
@@ -43,7 +36,7 @@ fn every_mistake_is_refused_and_shown_as_expected() {
     let bless = std::env::var_os("MACHC_BLESS").is_some();
     let workshop = Workshop::new("bad_cl");
     let mut wrong = Vec::new();
-    for stem in stems("cls") {
+    for stem in stems("tests/bad_cl", "cls") {
         let (cl, expected) = (format!("{stem}.cls"), folder().join(format!("{stem}.stderr")));
         workshop.write_bytes(&cl, &fs::read(folder().join(&cl)).expect("readable"));
         let found = refused(&workshop, &cl);
@@ -58,7 +51,7 @@ fn every_mistake_is_refused_and_shown_as_expected() {
 
 #[test]
 fn no_expected_text_is_left_over() {
-    assert_eq!(stems("stderr"), stems("cls"));
+    assert_eq!(stems("tests/bad_cl", "stderr"), stems("tests/bad_cl", "cls"));
 }
 
 #[test]
@@ -79,7 +72,7 @@ fn sizes_that_no_record_has() {
 #[test]
 fn solving_refuses_what_posting_refuses() {
     let workshop = Workshop::new("bad_cl_solve");
-    for stem in stems("cls") {
+    for stem in stems("tests/bad_cl", "cls") {
         let cl = format!("{stem}.cls");
         workshop.write_bytes(&cl, &fs::read(folder().join(&cl)).expect("readable"));
         let run = workshop.run(&["solve", "mill.mach", &cl]);

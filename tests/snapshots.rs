@@ -12,14 +12,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 #[path = "common/machine.rs"]
 mod machine;
+#[path = "common/stems.rs"]
+mod stems;
 
-/// The names, without the extension, of the folder's files with this extension.
-fn stems(folder: &str, extension: &str) -> BTreeSet<String> {
-    let entries = fs::read_dir(machine::root().join(folder)).expect("the folder is there");
-    let paths = entries.map(|entry| entry.expect("readable").path());
-    let wanted = paths.filter(|path| path.extension().is_some_and(|found| found == extension));
-    wanted.map(|path| path.file_stem().expect("a name").to_string_lossy().into_owned()).collect()
-}
+use stems::stems;
 
 /// Every machine with every program.
 fn pairs() -> impl Iterator<Item = (String, String)> {
