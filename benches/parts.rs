@@ -7,7 +7,6 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use mach_runtime::cl::{Next, Reader, ReaderOptions};
 use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock, SolutionBlock};
-use mach_runtime::nc::dialect::LengthUnit;
 use mach_runtime::post::{Job, post};
 use machc::compile::{Compiled, Sources, compile};
 use machc::emit::tables;
@@ -72,7 +71,7 @@ fn read_cl(bencher: Bencher<'_, '_>) {
     let text = sine_cl::records(RECORDS);
     let tables = machine_tables();
     bencher.counter(ItemsCount::new(RECORDS)).bench_local(|| {
-        let mut reader = Reader::new("sine.cls", text.as_bytes(), options(&tables));
+        let mut reader = Reader::new("sine.cls", text.as_bytes(), ReaderOptions::of(&tables));
         let mut points = Vec::new();
         while reader.next_into(&mut points, LANES).expect("memory can be read") != Next::End {
             points.clear();
@@ -87,7 +86,7 @@ fn post_with_certificate(bencher: Bencher<'_, '_>) {
     let tables = machine_tables();
     let dialect = compiled.model.dialect.as_ref().expect("the machine has a controller");
     bencher.counter(ItemsCount::new(RECORDS)).bench_local(|| {
-        let reader = Reader::new("sine.cls", text.as_bytes(), options(&tables));
+        let reader = Reader::new("sine.cls", text.as_bytes(), ReaderOptions::of(&tables));
         let job = Job { file: "sine.cls", program: "SINE", machine: &tables, dialect };
         let mut interpreter = Interpreter::new(&compiled.plan);
         let mut nc = Vec::new();
@@ -97,12 +96,4 @@ fn post_with_certificate(bencher: Bencher<'_, '_>) {
 
 fn machine_tables() -> mach_runtime::machine::Machine {
     tables::machine(&machine("tmv710a").model)
-}
-
-fn options(machine: &mach_runtime::machine::Machine) -> ReaderOptions {
-    ReaderOptions {
-        length_unit: LengthUnit::Millimetre,
-        chord_tolerance_mm: machine.chord_tolerance_mm,
-        unknown_records: machine.unknown_records,
-    }
 }

@@ -49,8 +49,7 @@ impl Options {
                 Unit::Mm => LengthUnit::Millimetre,
                 Unit::Inch => LengthUnit::Inch,
             },
-            chord_tolerance_mm: machine.chord_tolerance_mm,
-            unknown_records: machine.unknown_records,
+            ..ReaderOptions::of(machine)
         };
         Ok(Reader::new(shown(cl), watched(input, bytes, report), options))
     }

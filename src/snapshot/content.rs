@@ -31,11 +31,7 @@ pub struct Program<'a> {
 pub fn content(program: &Program<'_>) -> String {
     let Program { machine_file, machine_text, machine, plan, dialect, cl_file, cl } = *program;
     let name = Path::new(cl_file).file_stem().and_then(|stem| stem.to_str()).unwrap_or(&machine.name);
-    let options = ReaderOptions {
-        chord_tolerance_mm: machine.chord_tolerance_mm,
-        unknown_records: machine.unknown_records,
-        ..ReaderOptions::default()
-    };
+    let options = ReaderOptions::of(machine);
     let job = Job { file: cl_file, program: name, machine, dialect };
     let (mut nc, mut diagnostics) = (Vec::new(), Vec::new());
     let mut tell = |diagnostic| diagnostics.push(diagnostic);

@@ -4,7 +4,6 @@ use super::machine::root;
 use mach_runtime::certificate::Certificate;
 use mach_runtime::cl::{Reader, ReaderOptions, quote};
 use mach_runtime::diagnostic::Diagnostic;
-use mach_runtime::machine::Machine;
 use mach_runtime::post::{Job, post};
 use machc::compile::Compiled;
 use machc::emit::tables;
@@ -22,15 +21,6 @@ pub(crate) struct Posted {
     pub(crate) diagnostics: Vec<Diagnostic>,
 }
 
-/// What the reader is told about a CL file of this machine's.
-pub(crate) fn reader_options(machine: &Machine) -> ReaderOptions {
-    ReaderOptions {
-        chord_tolerance_mm: machine.chord_tolerance_mm,
-        unknown_records: machine.unknown_records,
-        ..ReaderOptions::default()
-    }
-}
-
 /// Posts a CL file; the path is from the package's folder.
 pub(crate) fn posted(compiled: &Compiled, cl: &str) -> Posted {
     let machine = tables::machine(&compiled.model);
@@ -39,7 +29,7 @@ pub(crate) fn posted(compiled: &Compiled, cl: &str) -> Posted {
     let program = Path::new(cl).file_stem().and_then(|stem| stem.to_str()).expect("a name in UTF-8");
     let job = Job { file: cl, program, machine: &machine, dialect };
     let mut kinematics = Interpreter::new(&compiled.plan);
-    let reader = Reader::new(cl, text.as_slice(), reader_options(&machine));
+    let reader = Reader::new(cl, text.as_slice(), ReaderOptions::of(&machine));
     let (mut nc, mut diagnostics) = (Vec::new(), Vec::new());
     let certificate = post(job, &mut kinematics, reader, &mut nc, &mut |diagnostic| diagnostics.push(diagnostic))
         .expect("reading from and writing to memory does not fail");

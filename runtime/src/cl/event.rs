@@ -1,6 +1,5 @@
-//! What the CL says, once its records are understood: a sequence of events.
+//! What the CL says, once its records are understood: points, and commands between them.
 
-use crate::diagnostic::Place;
 use crate::vector::Vec3;
 
 /// How the tool gets to a point.
@@ -87,15 +86,4 @@ pub enum Command {
     Dwell(f64),
     /// `PPRINT`, `INSERT` and the like: text for the operator.
     Message(String),
-}
-
-/// What the CL reader hands on.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Event {
-    /// A point to go to.
-    Point(Point),
-    /// `FROM/`: where the tool stands at the start; no motion.
-    From(Point),
-    /// A command, with the place it stands at.
-    Command(Command, Place),
 }

@@ -12,7 +12,7 @@ use crate::cl::source::Source;
 use crate::cl::told::Told;
 use crate::cl::words::{Meaning, meaning};
 use crate::diagnostic::{Code, Diagnostic, Place};
-use crate::machine::Strictness;
+use crate::machine::{Machine, Strictness};
 use crate::nc::dialect::LengthUnit;
 
 /// The file ends too early.
@@ -43,6 +43,17 @@ pub struct ReaderOptions {
     pub chord_tolerance_mm: f64,
     /// What a record that nobody knows does.
     pub unknown_records: Strictness,
+}
+
+impl ReaderOptions {
+    /// For a CL file that is posted for this machine.
+    pub fn of(machine: &Machine) -> Self {
+        Self {
+            chord_tolerance_mm: machine.chord_tolerance_mm,
+            unknown_records: machine.unknown_records,
+            ..Self::default()
+        }
+    }
 }
 
 impl Default for ReaderOptions {
