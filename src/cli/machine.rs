@@ -2,6 +2,9 @@
 
 use std::path::Path;
 
+use mach_command::files::shown;
+use mach_command::outcome::{Failure, Status};
+use mach_command::report::Report;
 use mach_runtime::machine::Machine;
 use machc::compile::{Compiled, compile};
 use machc::derive::prove::Proof;
@@ -10,9 +13,7 @@ use machc::emit::tables;
 use machc::model::machine::Model;
 use machc::plan::Plan;
 
-use super::files::{Folders, shown};
-use super::report::Report;
-use super::{Failure, Status};
+use super::folders::Folders;
 
 /// The code of a file that cannot be read; without a place it is the one that the arguments name.
 const CANNOT_READ: &str = "E0201";
