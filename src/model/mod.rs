@@ -9,6 +9,7 @@ pub mod controller;
 pub(crate) mod describe;
 pub(crate) mod dialect;
 pub(crate) mod draft;
+pub mod errors;
 pub(crate) mod evaluate;
 pub(crate) mod family;
 pub(crate) mod field;
