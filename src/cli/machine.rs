@@ -34,11 +34,23 @@ pub(super) fn prepare(file: &str, report: &Report) -> Result<Option<Prepared>, F
 
 /// The same for a file that is named as seen from another folder.
 pub(super) fn prepare_in(base: &Path, file: &str, report: &Report) -> Result<Option<Prepared>, Failure> {
+    let prepared = |Compiled { model, plan, proof, .. }: Compiled| {
+        let machine = tables::machine(&model);
+        Prepared { model, machine, plan, proof }
+    };
+    Ok(compiled_in(base, file, report)?.map(prepared))
+}
+
+/// Compiles a machine file and tells what there is to tell, without making anything of it.
+pub(super) fn compiled(file: &str, report: &Report) -> Result<Option<Compiled>, Failure> {
+    compiled_in(Path::new(""), file, report)
+}
+
+fn compiled_in(base: &Path, file: &str, report: &Report) -> Result<Option<Compiled>, Failure> {
     match compile(file, &Folders { base, entry: file }) {
-        Ok(Compiled { model, plan, proof, warnings }) => {
-            report.tell(&warnings);
-            let machine = tables::machine(&model);
-            Ok(Some(Prepared { model, machine, plan, proof }))
+        Ok(compiled) => {
+            report.tell(&compiled.warnings);
+            Ok(Some(compiled))
         }
         Err(diagnostics) => {
             let unreadable =

@@ -3,6 +3,7 @@
 mod builtin;
 mod check;
 mod diff;
+mod emit;
 mod explain;
 mod fmt;
 mod folders;
@@ -45,6 +46,7 @@ enum Command {
     Check(check::Arguments),
     Post(post::Arguments),
     Show(show::Arguments),
+    Emit(emit::Arguments),
     Solve(solve::Arguments),
     Fmt(fmt::Arguments),
     Test(test::Arguments),
@@ -62,6 +64,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Check(arguments) => check::run(arguments, &mut report),
         Command::Post(arguments) => post::run(arguments, &mut report),
         Command::Show(arguments) => show::run(arguments, &mut report),
+        Command::Emit(arguments) => emit::run(arguments, &report),
         Command::Solve(arguments) => solve::run(arguments, &mut report),
         Command::Fmt(arguments) => fmt::run(arguments, &mut report),
         Command::Test(arguments) => test::run(arguments, &report),

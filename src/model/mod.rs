@@ -17,6 +17,7 @@ pub(crate) mod function;
 pub(crate) mod library;
 pub(crate) mod load;
 pub mod machine;
+pub mod origin;
 pub(crate) mod parameter;
 pub(crate) mod quantity;
 mod scalar;
