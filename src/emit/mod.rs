@@ -7,5 +7,6 @@ pub mod expression;
 pub mod function;
 pub mod listing;
 pub mod names;
+pub mod package;
 pub mod rust;
 pub mod tables;
