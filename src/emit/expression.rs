@@ -55,8 +55,8 @@ impl Expressions<'_> {
 
     fn part(&self, id: Id) -> (String, Binding) {
         match self.names.get(&id) {
-            Some(name) => (name.clone(), Binding::Atom),
-            None => self.print(id),
+            Some(name) if self.graph.as_constant(id).is_none() => (name.clone(), Binding::Atom),
+            _ => self.print(id),
         }
     }
 
@@ -104,7 +104,8 @@ impl Expressions<'_> {
     }
 
     fn call(&self, function: &str, arguments: &[Id]) -> String {
-        let arguments: Vec<String> = arguments.iter().map(|&argument| self.operand(argument, Binding::Choice)).collect();
+        let arguments: Vec<String> =
+            arguments.iter().map(|&argument| self.operand(argument, Binding::Choice)).collect();
         format!("{function}({})", arguments.join(", "))
     }
 }

@@ -112,11 +112,8 @@ fn tool_axis() -> Vec<Input> {
 }
 
 fn inputs(first: usize, names: [&'static str; 3], symbols: [&'static str; 3]) -> Vec<Input> {
-    let input = |(name, symbol, index): (&str, &str, usize)| Input {
-        index,
-        name: name.to_owned(),
-        symbol: symbol.to_owned(),
-    };
+    let input =
+        |(name, symbol, index): (&str, &str, usize)| Input { index, name: name.to_owned(), symbol: symbol.to_owned() };
     named(names, symbols, [first, first + 1, first + 2]).map(input).collect()
 }
 

@@ -118,6 +118,7 @@ struct Lister<'a> {
     expressions: Expressions<'a>,
     notation: Notation<'a>,
     names: Names,
+    temporaries: usize,
     /// The outputs that have their block.
     listed: BTreeSet<Id>,
     blocks: Vec<Block>,
@@ -141,6 +142,7 @@ impl<'a> Lister<'a> {
             expressions: Expressions { graph, language, names: BTreeMap::new() },
             notation: Notation::new(graph, graph.inputs().filter_map(symbol)),
             names: Names::new(language.reserved),
+            temporaries: 0,
             listed: BTreeSet::new(),
             blocks: Vec::new(),
         }
@@ -241,7 +243,7 @@ impl<'a> Lister<'a> {
         let (wanted, symbol) = match (root, self.meanings.get(&id)) {
             (Some(output), _) => (output.name.clone(), None),
             (None, Some((name, symbol))) => (name.clone(), Some(symbol.clone())),
-            (None, None) => (kind(self.graph.op(id)).to_owned(), None),
+            (None, None) => (self.name_by_kind(id), None),
         };
         let name = self.names.claim(&wanted);
         self.expressions.names.insert(id, name.clone());
@@ -250,14 +252,17 @@ impl<'a> Lister<'a> {
         }
         name
     }
-}
 
-/// What a node without a meaning is called.
-fn kind(op: Op) -> &'static str {
-    match op {
-        Op::Sqrt(_) => "root",
-        Op::Atan2(..) => "angle",
-        _ => "t",
+    /// The name of a node without a meaning.
+    fn name_by_kind(&mut self, id: Id) -> String {
+        match self.graph.op(id) {
+            Op::Sqrt(_) => "root".to_owned(),
+            Op::Atan2(..) => "angle".to_owned(),
+            _ => {
+                self.temporaries += 1;
+                format!("t{}", self.temporaries)
+            }
+        }
     }
 }
 
@@ -282,6 +287,12 @@ fn needed(graph: &Graph, outputs: &[Id]) -> BTreeSet<Id> {
         open.extend(graph.op(id).operands().filter(|&operand| needed.insert(operand)));
     }
     needed
+}
+
+/// Whether a function divides by what may be zero.
+pub fn divides(graph: &Graph, function: &Function) -> bool {
+    let outputs: Vec<Id> = function.outputs.iter().map(|output| output.id).collect();
+    needed(graph, &outputs).into_iter().any(|id| matches!(graph.op(id), Op::Div(..)))
 }
 
 /// Which nodes get a name: outputs, what is used twice, functions that are costly or do not read well inside of an

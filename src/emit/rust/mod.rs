@@ -108,8 +108,8 @@ fn helpers(code: &str) -> String {
 
 fn inverse_code(compiled: &Compiled) -> String {
     let arguments = [
-        Argument::Array(vec![(0, false), (1, false), (2, false)]),
-        Argument::Array(vec![(3, false), (4, false), (5, false)]),
+        Argument::Array("tip", vec![(0, false), (1, false), (2, false)]),
+        Argument::Array("axis", vec![(3, false), (4, false), (5, false)]),
         Argument::Number(6),
     ];
     let Code { arguments, body, outputs } = Code::of(&compiled.plan.graph, &inverse(compiled), &arguments);
@@ -151,9 +151,9 @@ fn position_code(compiled: &Compiled) -> String {
     let rotary = axes(compiled, Motion::Rotary);
     let angles = (0..rotary.len()).map(|place| (4 + place, true)).collect();
     let arguments = [
-        Argument::Array(vec![(0, false), (1, false), (2, false)]),
+        Argument::Array("tip", vec![(0, false), (1, false), (2, false)]),
         Argument::Number(3),
-        Argument::Array(angles),
+        Argument::Array("rotary", angles),
     ];
     let Code { arguments, body, outputs } = Code::of(&compiled.plan.graph, &position(compiled), &arguments);
     format!(
@@ -173,7 +173,7 @@ fn forward_code(compiled: &Compiled) -> String {
     let count = compiled.model.axes.len();
     let is_rotary = |axis: usize| compiled.model.axes[axis].motion == Motion::Rotary;
     let arguments =
-        [Argument::Array((0..count).map(|axis| (axis, is_rotary(axis))).collect()), Argument::Number(count)];
+        [Argument::Array("joints", (0..count).map(|axis| (axis, is_rotary(axis))).collect()), Argument::Number(count)];
     let Code { arguments, body, outputs } = Code::of(&compiled.plan.graph, &forward(compiled), &arguments);
     let (tip, axis) = outputs.split_at(3);
     format!(
@@ -205,7 +205,9 @@ fn array(items: &[String]) -> String {
 
 fn machine(compiled: &Compiled) -> String {
     let machine = tables::machine(&compiled.model).literal();
-    format!("\n/// The machine: its axes, their travel, and how a solution is chosen.\npub fn machine() -> Machine {{ {machine} }}\n")
+    format!(
+        "\n/// The machine: its axes, their travel, and how a solution is chosen.\npub fn machine() -> Machine {{ {machine} }}\n"
+    )
 }
 
 fn dialect(compiled: &Compiled) -> String {
