@@ -266,14 +266,19 @@ impl<'a> Lister<'a> {
     }
 }
 
-/// The sines and cosines that were found without a trigonometric function, of outputs and of halves of angles.
+/// The sines and cosines that were found without a trigonometric function: of outputs, and of half an angle.
 fn meanings(graph: &Graph, function: &Function) -> BTreeMap<Id, (String, String)> {
     let mut meanings = BTreeMap::new();
     for (angle, sine, cosine) in graph.known_angles() {
         let output = function.outputs.iter().find(|output| output.id == angle && output.symbol.is_some());
-        let Some(Output { name, symbol: Some(symbol), .. }) = output else { continue };
+        let (name, symbol) = match output {
+            Some(Output { name, symbol: Some(symbol), .. }) => (format!("_{name}"), format!(" {symbol}")),
+            _ if graph.half_angle_of(sine).is_some() => ("_half".to_owned(), "_half".to_owned()),
+            _ => continue,
+        };
         for (function, node) in [("sin", sine), ("cos", cosine)] {
-            meanings.entry(node).or_insert_with(|| (format!("{function}_{name}"), format!("{function} {symbol}")));
+            let meaning = (format!("{function}{name}"), format!("{function}{symbol}"));
+            meanings.entry(node).or_insert(meaning);
         }
     }
     meanings

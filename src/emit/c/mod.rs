@@ -181,7 +181,7 @@ int kinematicsInverse(const EmcPose *world,
 fn finite(joints: &[String]) -> String {
     let bad: Vec<String> = joints.iter().map(|joint| format!("!isfinite({joint})")).collect();
     format!(
-        "    // At these angles the linear axes cannot move the tip in every direction.
+        "    // Where the linear axes cannot move the tip in every direction there is no answer.
     if ({})
         return -1;
 

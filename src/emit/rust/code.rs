@@ -21,6 +21,12 @@ const RUST: Language = Language {
     ],
 };
 
+/// The functions that the code calls, by their names.
+pub(super) const HELPERS: [(&str, &str); 2] = [
+    ("lesser", "/// The lesser of two.\nfn lesser(a: f64, b: f64) -> f64 { if a < b { a } else { b } }"),
+    ("greater", "/// The greater of two.\nfn greater(a: f64, b: f64) -> f64 { if a > b { a } else { b } }"),
+];
+
 /// An argument: one number, or an array of them. Inputs are meant by their places among the function's.
 pub(super) enum Argument {
     /// An input.

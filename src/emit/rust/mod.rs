@@ -17,7 +17,15 @@ use std::fmt::Write;
 /// crates `mach-runtime` and `libm`.
 pub fn rust(compiled: &Compiled) -> String {
     let code = [inverse_code(compiled), position_code(compiled), forward_code(compiled)].join("\n");
-    let parts = [header(compiled), solver(compiled), helpers(&code), code, machine(compiled), dialect(compiled)];
+    let tables = [machine(compiled), dialect(compiled)].join("\n");
+    let parts = [
+        header(compiled),
+        solver(compiled),
+        code.clone(),
+        called(&code::HELPERS, &code),
+        tables.clone(),
+        called(&literal::HELPERS, &tables),
+    ];
     laid_out(&parts.join("\n"))
 }
 
@@ -33,7 +41,7 @@ fn header(compiled: &Compiled) -> String {
 //!
 //! Lengths are in millimetres; angles are in radians inside of a function and in degrees outside.
 #![forbid(unsafe_code)]
-#![allow(unreachable_pub, clippy::approx_constant, clippy::wildcard_imports)]
+#![allow(unreachable_pub, clippy::approx_constant)]
 
 use mach_runtime::kinematics::{{JointBlock, Kinematics, LANES, PoseBlock, SolutionBlock}};
 use mach_runtime::machine::*;
@@ -95,15 +103,10 @@ impl Kinematics for Solver {{
     )
 }
 
-/// The functions that the code calls by these names.
-fn helpers(code: &str) -> String {
-    let helper = |name: &str, what: &str, operator: char| {
-        let text = format!(
-            "/// {what}\n#[inline]\nfn {name}(a: f64, b: f64) -> f64 {{ if a {operator} b {{ a }} else {{ b }} }}\n\n"
-        );
-        if code.contains(&format!("{name}(")) { text } else { String::new() }
-    };
-    helper("lesser", "The lesser of two.", '<') + &helper("greater", "The greater of two.", '>')
+/// Those of some functions that the code calls by their names.
+fn called(functions: &[(&str, &str)], code: &str) -> String {
+    let is_called = |name: &str| code.contains(&format!("{name}("));
+    functions.iter().filter(|(name, _)| is_called(name)).map(|(_, text)| format!("\n{text}\n")).collect()
 }
 
 fn inverse_code(compiled: &Compiled) -> String {
