@@ -4,11 +4,13 @@
 mod by_hand;
 // What `machc emit rust` writes; a test keeps the files as they are written now.
 #[allow(dead_code)]
+#[rustfmt::skip]
 #[path = "../tests/emit/golden/dmu50ev.rs"]
 mod dmu50ev;
 #[path = "throughput/sine_cl.rs"]
 mod sine_cl;
 #[allow(dead_code)]
+#[rustfmt::skip]
 #[path = "../tests/emit/golden/tmv710a.rs"]
 mod tmv710a;
 
