@@ -3,14 +3,17 @@
 //! A [`Graph`] is built symbolically and simplifies as it grows. A [`Program`] is what is left of it for a set of
 //! outputs, with registers assigned; it is interpreted over blocks of poses. The same graph is printed as equations.
 
+mod derivative;
 mod graph;
 mod interpreter;
+mod jacobian;
 mod program;
 mod simplify;
 mod trigonometry;
 
 pub use graph::{Graph, Id, Op};
 pub use interpreter::Interpreter;
+pub use jacobian::{Jacobian, Pose};
 pub use program::Program;
 pub use trigonometry::{cos_constant, sin_constant, snap};
 
