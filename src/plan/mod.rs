@@ -22,7 +22,8 @@ pub use trigonometry::{cos_constant, sin_constant, snap};
 pub struct Plan {
     /// The expressions.
     pub graph: Graph,
-    /// The candidates of the inverse; inputs are tip, axis and tool length.
+    /// The candidates of the inverse; inputs are tip, axis and tool length. None where there is no closed form: then the
+    /// inverse is iterated for.
     pub branches: Vec<Branch>,
     /// Zero inside the reach, else minus the angle to it.
     pub reach: Id,
@@ -70,6 +71,11 @@ pub const TOOL_LENGTH_INPUT: usize = 6;
 pub const JOINT_INPUT: usize = 7;
 
 impl Plan {
+    /// Whether the inverse was derived.
+    pub fn has_closed_form(&self) -> bool {
+        !self.branches.is_empty()
+    }
+
     /// The inputs of a plan for so many axes.
     pub fn inputs(graph: &mut Graph, axes: usize) -> Inputs {
         Inputs {
