@@ -2,6 +2,7 @@
 
 mod builtin;
 mod check;
+mod compare_solvers;
 mod diff;
 mod explain;
 mod files;
@@ -17,6 +18,7 @@ mod report;
 mod review;
 mod show;
 mod solve;
+mod solver;
 mod test;
 mod text_diff;
 mod toolpath;
@@ -68,6 +70,7 @@ enum Command {
     Test(test::Arguments),
     Review(review::Arguments),
     Diff(diff::Arguments),
+    CompareSolvers(compare_solvers::Arguments),
     Explain(explain::Arguments),
 }
 
@@ -97,6 +100,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Test(arguments) => test::run(arguments, &report),
         Command::Review(arguments) => review::run(arguments, &report),
         Command::Diff(arguments) => diff::run(arguments, &report),
+        Command::CompareSolvers(arguments) => compare_solvers::run(arguments, &report),
         Command::Explain(arguments) => explain::run(arguments),
     };
     match outcome {

@@ -3,12 +3,12 @@
 use mach_runtime::post::{Job, post};
 use machc::diagnostic::{Code, Diagnostic, Place};
 use machc::model::machine::Model;
-use machc::plan::Interpreter;
 
 use super::files::{cannot_read, shown, stem};
 use super::machine::prepare;
 use super::output::Output;
 use super::report::{Collected, Report};
+use super::solver::SolverOption;
 use super::toolpath::{Options, quoted};
 use super::{Failure, Status};
 
@@ -46,23 +46,25 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "NAME")]
     program: Option<String>,
     #[command(flatten)]
+    solver: SolverOption,
+    #[command(flatten)]
     options: Options,
 }
 
 pub(super) fn run(arguments: Arguments, report: &mut Report) -> Result<Status, Failure> {
-    let Arguments { machine, cl, output, program, options } = arguments;
+    let Arguments { machine, cl, output, program, solver, options } = arguments;
     let Some(prepared) = prepare(&machine, report)? else { return Ok(Status::Refused) };
     let Some(dialect) = &prepared.model.dialect else {
         return Ok(report.tell(&[no_controller(&prepared.model, &machine)]));
     };
+    let mut inverse = solver.inverse(&prepared)?;
     let machine = options.equipped(prepared.machine);
     let reader = options.reader(&cl, &machine, report)?;
     let program = program.as_deref().or(stem(&cl)).unwrap_or(&machine.name);
     let job = Job { file: shown(&cl), program, machine: &machine, dialect };
     let mut nc = Output::begin(output.as_deref())?;
     let mut told = Collected::default();
-    let mut kinematics = Interpreter::new(&prepared.plan);
-    let certificate = match post(job, &mut kinematics, reader, &mut nc, &mut |diagnostic| told.add(diagnostic)) {
+    let certificate = match post(job, inverse.kinematics_mut(), reader, &mut nc, &mut |diagnostic| told.add(diagnostic)) {
         Ok(certificate) => certificate,
         Err(error) => return Err(nc.into_failure().unwrap_or_else(|| cannot_read(&cl, &error))),
     };

@@ -6,7 +6,7 @@ use mach_runtime::cl::event::{Approach, Point};
 use mach_runtime::kinematics::LANES;
 use mach_runtime::machine::Machine;
 use mach_runtime::path::{PathSolver, Solved};
-use machc::plan::Interpreter;
+use machc::numeric::Inverse;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -14,6 +14,7 @@ use super::files::cannot_read;
 use super::machine::{Prepared, prepare};
 use super::output::Lines;
 use super::report::{Collected, Report};
+use super::solver::SolverOption;
 use super::toolpath::{Options, quoted};
 use super::{Failure, Status, joints};
 
@@ -32,6 +33,8 @@ pub(super) struct Arguments {
     /// The CL file, or the joint values; - reads standard input
     file: String,
     #[command(flatten)]
+    solver: SolverOption,
+    #[command(flatten)]
     options: Options,
 }
 
@@ -41,15 +44,21 @@ pub(super) fn run(arguments: Arguments, report: &mut Report) -> Result<Status, F
     if arguments.joints {
         joints::run(&prepared, &arguments.file, report)
     } else {
-        solve(&prepared, &arguments.file, &arguments.options, report)
+        let inverse = arguments.solver.inverse(&prepared)?;
+        solve(&prepared, inverse, &arguments.file, &arguments.options, report)
     }
 }
 
-fn solve(prepared: &Prepared, cl: &str, options: &Options, report: &Report) -> Result<Status, Failure> {
+fn solve(
+    prepared: &Prepared,
+    mut inverse: Inverse,
+    cl: &str,
+    options: &Options,
+    report: &Report,
+) -> Result<Status, Failure> {
     let machine = &prepared.machine;
     let mut reader = options.reader(cl, machine, report)?;
-    let mut kinematics = Interpreter::new(&prepared.plan);
-    let mut path = PathSolver::new(machine, &mut kinematics);
+    let mut path = PathSolver::new(machine, inverse.kinematics_mut());
     let mut told = Collected::default();
     let mut lines = Lines::stdout();
     let mut unsolved: u64 = 0;

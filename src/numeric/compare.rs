@@ -1,6 +1,6 @@
 //! The solvers side by side along one toolpath.
 
-use super::{Effort, Numeric, Solver};
+use super::{Effort, Inverse, Solver};
 use crate::diagnostic::Diagnostic;
 use crate::plan::{Interpreter, Plan};
 use mach_runtime::certificate::Extreme;
@@ -51,7 +51,10 @@ pub fn compare<R: Read>(
     clock: &dyn Fn() -> Duration,
     tell: &mut dyn FnMut(Diagnostic),
 ) -> io::Result<Compared> {
-    let mut timed: Vec<Timed<'_>> = Solver::of_plan(plan).map(|solver| Timed::new(plan, solver, clock)).collect();
+    let solvers: Vec<Solver> = Solver::of_plan(plan).collect();
+    let inverses = solvers.iter().map(|solver| solver.inverse(plan).expect("the plan has these solvers"));
+    let mut timed: Vec<Timed<'_>> =
+        inverses.map(|inverse| Timed { inverse, clock, time: Duration::ZERO }).collect();
     let mut runs: Vec<Run<'_>> = timed.iter_mut().map(|timed| Run::new(machine, plan, timed)).collect();
     let mut points = Vec::with_capacity(LANES);
     let mut count = 0;
@@ -68,8 +71,11 @@ pub fn compare<R: Read>(
         }
     }
     let found: Vec<Found> = runs.into_iter().map(|run| run.found).collect();
-    let solvers = timed.into_iter().zip(found).map(|(timed, found)| timed.measured(found)).collect();
-    Ok(Compared { points: count, solvers })
+    let measured = solvers.into_iter().zip(found).zip(timed).map(|((solver, found), timed)| {
+        let Found { tip_mm, axis_rad, failures } = found;
+        Measured { solver, effort: timed.inverse.effort(), tip_mm, axis_rad, failures, time: timed.time }
+    });
+    Ok(Compared { points: count, solvers: measured.collect() })
 }
 
 /// A solver on its way along the path.
@@ -123,75 +129,37 @@ impl<'a> Run<'a> {
     }
 }
 
-/// A solver whose inverses are timed.
+/// An inverse with a stopwatch.
 struct Timed<'c> {
-    solver: Solver,
-    inner: Inner,
+    inverse: Inverse,
     clock: &'c dyn Fn() -> Duration,
     time: Duration,
 }
 
-enum Inner {
-    ClosedForm(Box<Interpreter>),
-    Numeric(Box<Numeric>),
-}
-
-impl<'c> Timed<'c> {
-    fn new(plan: &Plan, solver: Solver, clock: &'c dyn Fn() -> Duration) -> Self {
-        let inner = match solver {
-            Solver::ClosedForm => Inner::ClosedForm(Box::new(Interpreter::new(plan))),
-            Solver::Numeric(method) => Inner::Numeric(Box::new(Numeric::new(plan, method))),
-        };
-        Self { solver, inner, clock, time: Duration::ZERO }
-    }
-
-    fn measured(self, Found { tip_mm, axis_rad, failures }: Found) -> Measured {
-        let effort = match &self.inner {
-            Inner::ClosedForm(_) => None,
-            Inner::Numeric(numeric) => Some(numeric.effort()),
-        };
-        Measured { solver: self.solver, effort, tip_mm, axis_rad, failures, time: self.time }
-    }
-
-    fn kinematics(&self) -> &dyn Kinematics {
-        match &self.inner {
-            Inner::ClosedForm(closed) => &**closed,
-            Inner::Numeric(numeric) => &**numeric,
-        }
-    }
-
-    fn kinematics_mut(&mut self) -> &mut dyn Kinematics {
-        match &mut self.inner {
-            Inner::ClosedForm(closed) => &mut **closed,
-            Inner::Numeric(numeric) => &mut **numeric,
-        }
-    }
-}
-
 impl Kinematics for Timed<'_> {
     fn axis_count(&self) -> usize {
-        self.kinematics().axis_count()
+        self.inverse.kinematics().axis_count()
     }
 
     fn branch_count(&self) -> usize {
-        self.kinematics().branch_count()
+        self.inverse.kinematics().branch_count()
     }
 
     fn free_axis(&self) -> Option<usize> {
-        self.kinematics().free_axis()
+        self.inverse.kinematics().free_axis()
     }
 
     fn inverse(&mut self, poses: &PoseBlock, tool_length_mm: f64, out: &mut SolutionBlock) {
         let start = (self.clock)();
-        self.kinematics_mut().inverse(poses, tool_length_mm, out);
+        self.inverse.kinematics_mut().inverse(poses, tool_length_mm, out);
         self.time += (self.clock)() - start;
     }
 
     fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) {
-        self.kinematics_mut().position(tip_mm, tool_length_mm, joints);
+        self.inverse.kinematics_mut().position(tip_mm, tool_length_mm, joints);
     }
 
     fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {
-        self.kinematics_mut().forward(joints, tool_length_mm, out);
+        self.inverse.kinematics_mut().forward(joints, tool_length_mm, out);
     }
 }

@@ -28,7 +28,7 @@ mod workspace;
 pub use compare::{Compared, Measured, compare};
 pub use effort::Effort;
 pub use kinematics::Numeric;
-pub use solver::Solver;
+pub use solver::{Inverse, Solver};
 
 use residual::Target;
 use workspace::{End, Workspace};
