@@ -2,16 +2,17 @@
 
 use std::time::{Duration, Instant};
 
-use machc::numeric::{Compared, Measured, compare};
+use mach_command::files::cannot_read;
+use mach_command::outcome::{Failure, Status};
+use mach_command::output::{Lines, print};
+use mach_command::report::{Collected, Report};
+use mach_command::toolpath::{Options, quoted};
+use mach_runtime::certificate::Extreme;
+use machc::numeric::{Compared, Effort, Measured, compare};
 use serde_json::{Value, json};
 
-use super::files::cannot_read;
 use super::machine::prepare;
-use super::output::{Lines, print};
-use super::report::{Collected, Report};
 use super::solver::name;
-use super::toolpath::{Options, quoted};
-use super::{Failure, Status};
 
 /// Compare the solvers along a CL file: closed form, Newton, Broyden
 ///
@@ -60,7 +61,7 @@ fn ratio(measured: &Measured, compared: &Compared) -> f64 {
 }
 
 fn line(machine: &str, compared: &Compared, measured: &Measured) -> Value {
-    let extreme = |extreme: mach_runtime::certificate::Extreme| json!({ "value": extreme.value, "line": extreme.line });
+    let extreme = |extreme: Extreme| json!({ "value": extreme.value, "line": extreme.line });
     let effort = measured.effort.map(|effort| {
         json!({
             "mean": effort.mean_iterations(),
@@ -85,7 +86,7 @@ fn line(machine: &str, compared: &Compared, measured: &Measured) -> Value {
 
 /// One column for each solver.
 fn table(machine: &str, cl: &str, compared: &Compared) -> String {
-    let effort = |of: &dyn Fn(machc::numeric::Effort) -> String| {
+    let effort = |of: &dyn Fn(Effort) -> String| {
         let of_solver = |measured: &Measured| measured.effort.map_or_else(|| "-".to_owned(), of);
         compared.solvers.iter().map(of_solver).collect::<Vec<_>>()
     };

@@ -1,9 +1,9 @@
 //! The option `--solver`.
 
 use clap::ValueEnum;
+use mach_command::outcome::Failure;
 use machc::numeric::{Inverse, Method, Solver};
 
-use super::Failure;
 use super::machine::Prepared;
 
 #[derive(Debug, clap::Args)]

@@ -6,7 +6,7 @@ use crate::plan::{Interpreter, Plan};
 use mach_runtime::certificate::Extreme;
 use mach_runtime::cl::event::Point;
 use mach_runtime::cl::{Next, Reader};
-use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, PoseBlock, SolutionBlock};
+use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, PoseBlock, SolutionBlock};
 use mach_runtime::machine::Machine;
 use mach_runtime::path::PathSolver;
 use mach_runtime::vector::{Vec3, add, angle_rad, norm, sub};
@@ -149,9 +149,13 @@ impl Kinematics for Timed<'_> {
         self.inverse.kinematics().free_axis()
     }
 
-    fn inverse(&mut self, poses: &PoseBlock, tool_length_mm: f64, out: &mut SolutionBlock) {
+    fn surplus_axes(&self) -> &[usize] {
+        self.inverse.kinematics().surplus_axes()
+    }
+
+    fn inverse(&mut self, poses: &PoseBlock, surplus: &[Lane], tool_length_mm: f64, out: &mut SolutionBlock) {
         let start = (self.clock)();
-        self.inverse.kinematics_mut().inverse(poses, tool_length_mm, out);
+        self.inverse.kinematics_mut().inverse(poses, surplus, tool_length_mm, out);
         self.time += (self.clock)() - start;
     }
 
@@ -161,5 +165,9 @@ impl Kinematics for Timed<'_> {
 
     fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {
         self.inverse.kinematics_mut().forward(joints, tool_length_mm, out);
+    }
+
+    fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool_length_mm: f64, out: &mut PoseBlock) {
+        self.inverse.kinematics_mut().forward_actual(joints, deviations, tool_length_mm, out);
     }
 }

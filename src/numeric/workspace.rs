@@ -26,6 +26,8 @@ pub(super) struct Workspace {
     columns: Vec<Pose>,
     system: LeastSquares,
     rotary: Vec<bool>,
+    /// Joints that stay where they are: those that the pose leaves open.
+    surplus: Vec<usize>,
     step: Vec<f64>,
     moved: Vec<f64>,
 }
@@ -39,6 +41,7 @@ impl Workspace {
             columns: vec![[0.0; 6]; joints],
             system: LeastSquares::new(joints),
             rotary: plan.rotary.clone(),
+            surplus: plan.surplus.clone(),
             step: vec![0.0; joints],
             moved: vec![0.0; joints],
         }
@@ -46,7 +49,9 @@ impl Workspace {
 
     /// The pose of these joints; what follows starts from its derivatives.
     pub(super) fn linearise(&mut self, joints: &[f64]) -> Pose {
-        self.forward.derivatives(joints, &mut self.columns)
+        let pose = self.forward.derivatives(joints, &mut self.columns);
+        self.surplus.iter().for_each(|&joint| self.columns[joint].fill(0.0));
+        pose
     }
 
     /// Tries the step that leaves least of this residual by the derivatives: the pose that it leads to, or none where the
@@ -81,6 +86,11 @@ impl Workspace {
     /// The size of what is left at these joints.
     pub(super) fn residual(&mut self, target: &Target, joints: &[f64]) -> f64 {
         size(&target.residual(&self.forward.pose(joints)))
+    }
+
+    /// How many linear joints follow the pose.
+    pub(super) fn linear_joints(&self) -> usize {
+        (0..self.rotary.len()).filter(|joint| !self.rotary[*joint] && !self.surplus.contains(joint)).count()
     }
 
     /// Moves the linear joints so that the tip is where it should be, and says whether it is. The tip is affine in them: a

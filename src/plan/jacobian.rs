@@ -19,7 +19,7 @@ impl Jacobian {
     pub fn new(plan: &Plan) -> Self {
         let axes = plan.rotary.len();
         let mut graph = plan.graph.clone();
-        let joints: Vec<Id> = Plan::inputs(&mut graph, axes).joints;
+        let joints: Vec<Id> = Plan::inputs(&mut graph, axes, plan.errors).joints;
         let pose: Vec<Id> = plan.tip.iter().chain(&plan.axis).copied().collect();
         let mut all = pose.clone();
         for joint in joints {
