@@ -6,13 +6,16 @@ use mach_command::files::cannot_write;
 use mach_command::outcome::{Failure, Status};
 use mach_command::output::Output;
 use mach_command::report::Report;
+use machc::emit::json;
+use machc::emit::latex::equations;
 use machc::emit::rust::rust;
 
 use super::machine::compiled;
 
-/// Write the kinematics of a machine as source code
+/// Write what was made of a machine file: source code, equations, data
 ///
-/// rust: one module for mach-runtime, with the solver and the tables. c: a kinematics module for LinuxCNC.
+/// rust: one module for mach-runtime, with the solver and the tables. c: a kinematics module for LinuxCNC. equations: the
+/// transformations as Markdown with LaTeX. json: the machine with everything resolved.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// What to write
@@ -29,6 +32,8 @@ pub(super) struct Arguments {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 enum Form {
     Rust,
+    Equations,
+    Json,
 }
 
 pub(super) fn run(arguments: Arguments, report: &Report) -> Result<Status, Failure> {
@@ -36,6 +41,8 @@ pub(super) fn run(arguments: Arguments, report: &Report) -> Result<Status, Failu
     let Some(compiled) = compiled(&machine, report)? else { return Ok(Status::Refused) };
     let text = match form {
         Form::Rust => rust(&compiled),
+        Form::Equations => equations(&compiled.model, &compiled.plan),
+        Form::Json => json::machine(&compiled.model),
     };
     let mut out = Output::begin(output.as_deref())?;
     out.write_all(text.as_bytes()).map_err(|error| cannot_write(output.as_deref().unwrap_or("<stdout>"), &error))?;
