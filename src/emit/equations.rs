@@ -144,9 +144,7 @@ impl<'g> Notation<'g> {
             Op::Atan2(a, b) => self.function("atan2", &[a, b]),
             Op::Min(a, b) => self.function("min", &[a, b]),
             Op::Max(a, b) => self.function("max", &[a, b]),
-            Op::Select(a, b, c) => {
-                (spelling.choice([a, b, c].map(|part| self.operand(part, Product))), Atom)
-            }
+            Op::Select(a, b, c) => (spelling.choice([a, b, c].map(|part| self.operand(part, Product))), Atom),
         }
     }
 

@@ -185,9 +185,7 @@ fn unit(component: Component) -> &'static str {
 }
 
 fn controller(dialect: &Dialect) -> Value {
-    let word = |word: &Word| {
-        json!({ "name": word.name, "address": word.address, "decimals": word.picture.decimals })
-    };
+    let word = |word: &Word| json!({ "name": word.name, "address": word.address, "decimals": word.picture.decimals });
     let triggers: Vec<&str> = dialect.blocks.iter().map(|block| block.trigger.name()).collect();
     json!({
         "name": dialect.name,

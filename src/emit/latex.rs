@@ -61,5 +61,6 @@ fn display(page: &mut String, equations: &[String]) {
     }
     let lines: Vec<String> = equations.iter().map(|equation| equation.replacen(" = ", " &= ", 1)).collect();
     let lines = lines.join(" \\\\\n");
-    write!(page, "\n$$\n\\begin{{aligned}}\n{lines}\n\\end{{aligned}}\n$$\n").expect("writing to a string does not fail");
+    write!(page, "\n$$\n\\begin{{aligned}}\n{lines}\n\\end{{aligned}}\n$$\n")
+        .expect("writing to a string does not fail");
 }

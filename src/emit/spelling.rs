@@ -25,7 +25,9 @@ impl Spelling {
         let text = number(value);
         match self {
             Self::Plain => text,
-            Self::Latex => text.replace("π/2", "\\tfrac{\\pi}{2}").replace('π', "\\pi").replace("√½", "\\sqrt{\\tfrac{1}{2}}"),
+            Self::Latex => {
+                text.replace("π/2", "\\tfrac{\\pi}{2}").replace('π', "\\pi").replace("√½", "\\sqrt{\\tfrac{1}{2}}")
+            }
         }
     }
 

@@ -35,7 +35,8 @@ pub(super) fn inverse(model: &Model, plan: &Plan, spelling: Spelling) -> Inverse
     let mut notation = notation(model, plan, spelling);
     let roots: Vec<Id> = branches.iter().flatten().map(|&(_, id)| id).collect();
     let shared = notation.shared(&roots);
-    let mut solution = |branch: &Vec<(&str, Id)>| branch.iter().map(|(name, id)| notation.equation(name, *id)).collect();
+    let mut solution =
+        |branch: &Vec<(&str, Id)>| branch.iter().map(|(name, id)| notation.equation(name, *id)).collect();
     Inverse { shared, solutions: branches.iter().map(&mut solution).collect(), linear }
 }
 

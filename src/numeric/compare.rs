@@ -53,8 +53,7 @@ pub fn compare<R: Read>(
 ) -> io::Result<Compared> {
     let solvers: Vec<Solver> = Solver::of_plan(plan).collect();
     let inverses = solvers.iter().map(|solver| solver.inverse(plan).expect("the plan has these solvers"));
-    let mut timed: Vec<Timed<'_>> =
-        inverses.map(|inverse| Timed { inverse, clock, time: Duration::ZERO }).collect();
+    let mut timed: Vec<Timed<'_>> = inverses.map(|inverse| Timed { inverse, clock, time: Duration::ZERO }).collect();
     let mut runs: Vec<Run<'_>> = timed.iter_mut().map(|timed| Run::new(machine, plan, timed)).collect();
     let mut points = Vec::with_capacity(LANES);
     let mut count = 0;

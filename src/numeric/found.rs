@@ -16,19 +16,13 @@ pub(super) struct Found {
 
 impl Found {
     /// Takes what an iteration came to: these joints, with a residual of this size.
-    pub(super) fn add(&mut self, end: End, residual: f64, mut joints: Vec<f64>, rotary: &[bool]) {
+    pub(super) fn add(&mut self, end: End, residual: f64, joints: Vec<f64>, rotary: &[bool]) {
         let is_nearer = self.nearest.as_ref().is_none_or(|(nearest, _)| residual < *nearest);
-        if end != End::There {
-            if residual.is_finite() && is_nearer {
-                self.nearest = Some((residual, joints));
-            }
-            return;
-        }
-        for (joint, _) in joints.iter_mut().zip(rotary).filter(|(_, rotary)| **rotary) {
-            *joint = within_one_turn(*joint);
-        }
-        if !self.solutions.iter().any(|known| is_same(known, &joints, rotary)) {
-            self.solutions.push(joints);
+        let is_new = !self.solutions.iter().any(|known| is_same(known, &joints, rotary));
+        match end {
+            End::There if is_new => self.solutions.push(joints),
+            End::Nearest | End::Lost if residual.is_finite() && is_nearer => self.nearest = Some((residual, joints)),
+            _ => {}
         }
     }
 

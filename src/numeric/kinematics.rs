@@ -1,6 +1,6 @@
 //! The iterated inverse as the runtime's kinematics: every solution is followed from pose to pose.
 
-use super::found::{Found, within_one_turn};
+use super::found::Found;
 use super::residual::{BOUND, LENGTH_MM, Target};
 use super::workspace::Workspace;
 use super::{Effort, Method, seeds};
@@ -113,21 +113,16 @@ impl Numeric {
     /// joints hold the tip for any angles; where they do not, at a singular position, they are no numbers.
     fn nearest(&mut self, target: Target, mut joints: Vec<f64>) -> Followed {
         Method::Newton.solve(&mut self.workspace, &target, &target, &mut joints);
-        let holds = self.workspace.linear_joints() >= 3;
-        let is_singular = holds && !self.workspace.place(&target, &mut joints);
+        let holds_tip = self.workspace.linear_joints() >= 3;
+        let is_singular = holds_tip && !self.workspace.place(&target, &mut joints);
         let (tip_mm, axis_rad) = target.distance(&self.workspace.forward.pose(&joints));
-        for (joint, &rotary) in joints.iter_mut().zip(&self.rotary) {
-            if rotary {
-                *joint = within_one_turn(*joint);
-            } else if is_singular {
-                *joint = f64::NAN;
-            }
-        }
-        let solutions = vec![joints; self.branches];
+        let solutions = |joints| vec![joints; self.branches];
         if is_singular {
-            return Followed { target, solutions, tip_mm: 0.0, axis_rad: 0.0 };
+            let linear = joints.iter_mut().zip(&self.rotary).filter(|(_, rotary)| !**rotary);
+            linear.for_each(|(joint, _)| *joint = f64::NAN);
+            return Followed { target, solutions: solutions(joints), tip_mm: 0.0, axis_rad: 0.0 };
         }
-        Followed { target, solutions, tip_mm: if holds { 0.0 } else { tip_mm }, axis_rad }
+        Followed { target, solutions: solutions(joints), tip_mm: if holds_tip { 0.0 } else { tip_mm }, axis_rad }
     }
 
     /// The rotary that orders the solutions, the greater angle first: the one nearest the tool of those declared.

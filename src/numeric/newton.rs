@@ -40,13 +40,7 @@ pub(super) fn solve(workspace: &mut Workspace, target: &Target, joints: &mut [f6
 ///
 /// A long turn about a far centre takes the tip along an arc, where the derivatives foresee a line. Before such a step is
 /// damped it gets a second try, with the linear joints put where they hold the tip.
-fn descend(
-    workspace: &mut Workspace,
-    target: &Target,
-    joints: &mut [f64],
-    residual: &Pose,
-    damping: &mut f64,
-) -> bool {
+fn descend(workspace: &mut Workspace, target: &Target, joints: &mut [f64], residual: &Pose, damping: &mut f64) -> bool {
     let is_less = |pose: &Pose| size(&target.residual(pose)) < size(residual);
     while let Some(pose) = workspace.try_step(joints, residual, *damping) {
         if is_less(&pose) || is_less(&workspace.try_held(target)) {

@@ -2,6 +2,7 @@
 
 use super::effort::Effort;
 use super::forward::Forward;
+use super::found::within_one_turn;
 use super::least_squares::LeastSquares;
 use super::residual::{BOUND, LENGTH_MM, Target};
 use crate::plan::{Plan, Pose};
@@ -55,14 +56,16 @@ impl Workspace {
     }
 
     /// Tries the step that leaves least of this residual by the derivatives: the pose that it leads to, or none where the
-    /// step is too small to matter.
+    /// step is too small to matter, or the start no number. Angles stay within one turn: next to a singular position a step may be any number of turns.
     pub(super) fn try_step(&mut self, joints: &[f64], residual: &Pose, damping: f64) -> Option<Pose> {
         self.system.solve(&self.columns, residual, damping, &mut self.step);
-        if size(&self.step) <= BOUND {
+        let length = size(&self.step);
+        if length.is_nan() || length <= BOUND {
             return None;
         }
-        for ((moved, joint), step) in self.moved.iter_mut().zip(joints).zip(&self.step) {
-            *moved = joint + step;
+        for (axis, moved) in self.moved.iter_mut().enumerate() {
+            let sum = joints[axis] + self.step[axis];
+            *moved = if self.rotary[axis] { within_one_turn(sum) } else { sum };
         }
         self.effort.iterations += 1;
         Some(self.forward.pose(&self.moved))

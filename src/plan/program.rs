@@ -140,10 +140,7 @@ fn binary<const N: usize>(
     }
 }
 
-fn disjoint<const N: usize, const M: usize>(
-    registers: &mut [[f64; N]],
-    places: [Register; M],
-) -> [&mut [f64; N]; M] {
+fn disjoint<const N: usize, const M: usize>(registers: &mut [[f64; N]], places: [Register; M]) -> [&mut [f64; N]; M] {
     registers.get_disjoint_mut(places).expect("a register is written while its operands are still held elsewhere")
 }
 
