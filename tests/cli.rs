@@ -6,6 +6,8 @@ mod diff;
 mod machc;
 #[path = "cli/new.rs"]
 mod new;
+#[path = "cli/solvers.rs"]
+mod solvers;
 #[path = "cli/test.rs"]
 mod test;
 
@@ -264,7 +266,9 @@ fn a_link_is_followed_and_not_replaced() {
 #[test]
 fn help_fits_the_terminal() {
     let workshop = Workshop::new("help");
-    for command in ["new", "test", "review", "diff", "check", "post", "show", "solve", "fmt", "explain"] {
+    for command in
+        ["new", "test", "review", "diff", "check", "post", "show", "solve", "compare-solvers", "emit", "fmt", "explain"]
+    {
         for flag in ["-h", "--help"] {
             let help = workshop.run(&[command, flag]).stdout;
             assert!(help.lines().all(|line| line.chars().count() <= 80), "{help}");

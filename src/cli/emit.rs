@@ -7,14 +7,16 @@ use mach_command::outcome::{Failure, Status};
 use mach_command::output::Output;
 use mach_command::report::Report;
 use machc::emit::c::c;
+use machc::emit::json;
+use machc::emit::latex::equations;
 use machc::emit::rust::rust;
 
 use super::machine::compiled;
 
-/// Write the kinematics of a machine as source code
+/// Write what was made of a machine file: source code, equations, data
 ///
-/// What was derived becomes functions that only compute, statement by statement; each says which line of the machine file
-/// it comes from.
+/// Source code is functions that only compute, statement by statement; each says which line of the machine file it comes
+/// from.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// What to write
@@ -27,13 +29,17 @@ pub(super) struct Arguments {
     output: Option<String>,
 }
 
-/// A form of source code.
+/// A form of what is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 enum Form {
     /// One module for mach-runtime: the solver and the tables
     Rust,
     /// A kinematics module for LinuxCNC
     C,
+    /// The transformations as Markdown with LaTeX
+    Equations,
+    /// The machine with everything resolved
+    Json,
 }
 
 pub(super) fn run(arguments: Arguments, report: &Report) -> Result<Status, Failure> {
@@ -42,6 +48,8 @@ pub(super) fn run(arguments: Arguments, report: &Report) -> Result<Status, Failu
     let text = match form {
         Form::Rust => Ok(rust(&compiled)),
         Form::C => c(&compiled),
+        Form::Equations => Ok(equations(&compiled.model, &compiled.plan)),
+        Form::Json => Ok(json::machine(&compiled.model)),
     };
     let text = match text {
         Ok(text) => text,
