@@ -77,9 +77,14 @@ impl Report {
         self.colors_stdout
     }
 
+    /// Whether there is anyone for whom notes are meant.
+    pub fn shows_notes(&self) -> bool {
+        !self.json && !self.quiet
+    }
+
     /// Whether a person is watching who wants to know how far the work is.
     pub fn shows_progress(&self) -> bool {
-        !self.json && !self.quiet && stderr().is_terminal()
+        self.shows_notes() && stderr().is_terminal()
     }
 
     /// Tells diagnostics; the status is `Refused` when an error is among them.
@@ -108,7 +113,7 @@ impl Report {
 
     /// A line for people that tools have no use for.
     pub fn note(&self, text: &str) {
-        if !self.json && !self.quiet {
+        if self.shows_notes() {
             say(&format!("{text}\n"));
         }
     }

@@ -1,5 +1,6 @@
 //! The command line: arguments, files, progress. The only place that does I/O.
 
+mod build;
 mod builtin;
 mod check;
 mod compare_solvers;
@@ -48,6 +49,7 @@ enum Command {
     Check(check::Arguments),
     Post(post::Arguments),
     Show(show::Arguments),
+    Build(build::Arguments),
     Emit(emit::Arguments),
     Solve(solve::Arguments),
     Fmt(fmt::Arguments),
@@ -67,6 +69,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Check(arguments) => check::run(arguments, &mut report),
         Command::Post(arguments) => post::run(arguments, &mut report),
         Command::Show(arguments) => show::run(arguments, &mut report),
+        Command::Build(arguments) => build::run(arguments, &report),
         Command::Emit(arguments) => emit::run(arguments, &report),
         Command::Solve(arguments) => solve::run(arguments, &mut report),
         Command::Fmt(arguments) => fmt::run(arguments, &mut report),
