@@ -32,7 +32,7 @@ fn every_machine_has_both() {
         let compiled = compiled(name);
         let page = latex::equations(&compiled.model, &compiled.plan);
         let displays: Vec<&str> = page.split("$$").skip(1).step_by(2).collect();
-        assert!(displays.len() >= 4, "{name}: {page}");
+        assert!(displays.len() >= 3, "{name}: {page}");
         for display in displays {
             let count = |part: &str| display.matches(part).count();
             assert_eq!((count("{"), count("\\left(")), (count("}"), count("\\right)")), "{name}: {display}");

@@ -29,7 +29,7 @@ pub(super) struct Arguments {
     output: Option<String>,
 }
 
-/// A form of what is written.
+/// What can be written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 enum Form {
     /// One module for mach-runtime: the solver and the tables
@@ -38,7 +38,7 @@ enum Form {
     C,
     /// The transformations as Markdown with LaTeX
     Equations,
-    /// The machine with everything resolved
+    /// The machine with everything resolved, as JSON
     Json,
 }
 
