@@ -64,7 +64,7 @@ pub fn compile(entry: &str, sources: &dyn Sources) -> Result<Compiled, Vec<Diagn
     refuse_errors(&program.sources, &mut found)?;
 
     let plan = derive(&model);
-    let proof = prove::prove(&plan, model.tool.length_mm);
+    let proof = prove::prove(&model, &plan);
     found.extend(prove::check(&model, &proof));
     refuse_errors(&program.sources, &mut found)?;
     Ok(Compiled { model, plan, proof, warnings: found })

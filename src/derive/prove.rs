@@ -1,9 +1,10 @@
 //! The proof that comes with every machine: seeded random poses through inverse and forward.
 
-use crate::model::machine::Model;
+use crate::model::machine::{Axis, Model};
 use crate::plan::{Interpreter, Plan};
 use mach_runtime::diagnostic::{Code, Diagnostic};
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, PoseBlock, SolutionBlock};
+use mach_runtime::machine::{Motion, Rule};
 use mach_runtime::vector::{angle_rad, norm, sub};
 
 /// E0601.
@@ -44,15 +45,19 @@ impl Proof {
     }
 }
 
-/// Takes joints at random, their pose, and every candidate for it back to a pose.
-pub fn prove(plan: &Plan, tool_length_mm: f64) -> Proof {
+/// Takes joints at random (but for the locked ones), their pose, and every candidate for it back to a pose.
+pub fn prove(model: &Model, plan: &Plan) -> Proof {
     let mut machine = Interpreter::new(plan);
     let mut random = SplitMix(0x6d61_6368);
     let mut proof = Proof { poses: 0, tip_mm: 0.0, axis_rad: 0.0 };
     while proof.poses < POSES {
-        let joints: JointBlock =
-            plan.rotary.iter().map(|&rotary| random.lane(if rotary { 180.0 } else { 500.0 })).collect();
-        close(&mut machine, &joints, tool_length_mm, &mut proof);
+        let joint = |axis: &Axis| match (axis.rule, axis.motion) {
+            (Rule::Locked(value), _) => [value; LANES],
+            (_, Motion::Rotary) => random.lane(180.0),
+            (_, Motion::Linear) => random.lane(500.0),
+        };
+        let joints: JointBlock = model.axes.iter().map(joint).collect();
+        close(&mut machine, &joints, model.tool.length_mm, &mut proof);
     }
     proof
 }

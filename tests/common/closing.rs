@@ -1,7 +1,7 @@
 //! Closing the loop: joints to a pose, the pose to every candidate, each candidate back to the pose.
 
 use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock, SolutionBlock};
-use mach_runtime::machine::Motion;
+use mach_runtime::machine::{Motion, Rule};
 use mach_runtime::vector::{angle_rad, norm, sub};
 use machc::model::machine::{Axis, Model};
 use machc::plan::{Interpreter, Plan};
@@ -12,12 +12,18 @@ const AXIS_BOUND_RAD: f64 = 1e-12;
 /// Joints spread over the block by a low-discrepancy sequence.
 fn joints(model: &Model, block: usize) -> Vec<[f64; LANES]> {
     let spread = |axis: usize, lane: usize| {
-        let step = [0.754_877_666, 0.569_840_290, 0.618_033_988, 0.414_213_562, 0.732_050_807][axis];
+        let steps =
+            [0.754_877_666, 0.569_840_290, 0.618_033_988, 0.414_213_562, 0.732_050_807, 0.236_067_977, 0.645_751_311];
+        let step = steps[axis];
         let n = (block * LANES + lane + 1) as f64;
         2.0 * (n * step).fract() - 1.0
     };
     let bound = |axis: &Axis| if axis.motion == Motion::Rotary { 180.0 } else { 500.0 };
-    model.axes.iter().enumerate().map(|(i, axis)| std::array::from_fn(|l| bound(axis) * spread(i, l))).collect()
+    let joint = |(i, axis): (usize, &Axis)| match axis.rule {
+        Rule::Locked(value) => [value; LANES],
+        _ => std::array::from_fn(|l| bound(axis) * spread(i, l)),
+    };
+    model.axes.iter().enumerate().map(joint).collect()
 }
 
 /// Whether a rotary between the linear axes stands next to where they no longer span space.
@@ -44,6 +50,7 @@ pub(crate) fn close_the_loop(
         machine.forward(candidate, model.tool.length_mm, &mut reached);
         for lane in (0..LANES).filter(|&lane| !far(candidate, lane)) {
             require(solutions.reach_rad[lane] > -1e-7, || format!("reach {}", solutions.reach_rad[lane]))?;
+            require(solutions.gap_mm[lane] <= TIP_BOUND_MM, || format!("gap {}", solutions.gap_mm[lane]))?;
             let tip = norm(sub(reached.tip(lane), wanted.tip(lane)));
             let axis = angle_rad(reached.axis(lane), wanted.axis(lane));
             require(tip <= TIP_BOUND_MM, || format!("tip {tip:e} mm"))?;
