@@ -78,8 +78,8 @@ fn a_turning_centre_without_y_is_polar() {
             "solution 2",
             "C = atan2(-y, -x)",
             "for either solution",
-            "Z = L + z",
             "X = x cos C + y sin C",
+            "Z = L + z",
         ]
     );
     assert_eq!(section(&sheet, "reach"), ["tool axis (0, 0, 1) only", "singular at the axis of C: C is free"]);

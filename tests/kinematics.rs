@@ -195,18 +195,20 @@ fn two_linear_axes_and_a_rotary_that_turns_the_tool_reach_what_they_can() {
 #[test]
 fn the_ways_of_a_slant_bed_may_lean_as_they_like() {
     let leaning = [-1.0..1.0f64, -1.0..1.0, -0.7..0.7];
-    let machines = (leaning, direction(), [point(), point(), point()], 0.0..200.0f64).prop_map(|(leaning, tool, points, length_mm)| {
-        let [x, y, b] = leaning;
-        let axes = vec![
-            axis("X", Motion::Linear, Vector3::new(libm::cos(x), libm::sin(x), 0.0), Vector3::zeros()),
-            axis("Y", Motion::Linear, Vector3::new(0.0, libm::cos(y), libm::sin(y)), Vector3::zeros()),
-            axis("Z", Motion::Linear, Vector3::z(), Vector3::zeros()),
-            axis("B", Motion::Rotary, Vector3::new(libm::sin(b), libm::cos(b), 0.0), points[0]),
-            axis("C", Motion::Rotary, Vector3::z(), points[1]),
-        ];
-        let chain = [4, 2, 0, 1, 3].map(|axis| Joint { axis, primed: false }).to_vec();
-        model(axes, chain, Tool { axis: tool, gauge_mm: points[2], length_mm })
-    });
+    let machines = (leaning, direction(), [point(), point(), point()], 0.0..200.0f64).prop_map(
+        |(leaning, tool, points, length_mm)| {
+            let [x, y, b] = leaning;
+            let axes = vec![
+                axis("X", Motion::Linear, Vector3::new(libm::cos(x), libm::sin(x), 0.0), Vector3::zeros()),
+                axis("Y", Motion::Linear, Vector3::new(0.0, libm::cos(y), libm::sin(y)), Vector3::zeros()),
+                axis("Z", Motion::Linear, Vector3::z(), Vector3::zeros()),
+                axis("B", Motion::Rotary, Vector3::new(libm::sin(b), libm::cos(b), 0.0), points[0]),
+                axis("C", Motion::Rotary, Vector3::z(), points[1]),
+            ];
+            let chain = [4, 2, 0, 1, 3].map(|axis| Joint { axis, primed: false }).to_vec();
+            model(axes, chain, Tool { axis: tool, gauge_mm: points[2], length_mm })
+        },
+    );
     run(256, machines.prop_filter("every freedom", has_its_freedoms), |model| {
         close_blocks(&model, &derive(&model), BLOCKS).map_err(TestCaseError::fail)
     });

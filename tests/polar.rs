@@ -60,7 +60,10 @@ fn a_tool_beside_the_centre_has_a_dead_radius() {
     assert_eq!(chosen(&lines[1], ["X"]), [5.0]);
     let (status, stderr) = told(&beside, cl);
     assert_eq!(status, 1);
-    assert!(stderr.contains("error[E1107]: `m` has two linear axes, and no angle brings the point to them"), "{stderr}");
+    assert!(
+        stderr.contains("error[E1107]: `m` has two linear axes, and no angle brings the point to them"),
+        "{stderr}"
+    );
     assert!(stderr.contains("7.000 mm inside the dead radius of 12.000 mm"), "{stderr}");
 }
 

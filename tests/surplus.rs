@@ -92,7 +92,8 @@ fn a_third_rotary_helps_out_where_two_do_not_reach() {
 #[test]
 fn any_two_of_three_rotaries_may_be_the_ones_that_are_solved_for() {
     let cl = "RAPID\nGOTO/10,20,30,0.1,0.05,0.993730345736\n";
-    for (branch, axis, value) in [("lock A 3 deg", "A", 3.0), ("lock B 4 deg", "B", 4.0), ("lock C 20 deg", "C", 20.0)] {
+    for (branch, axis, value) in [("lock A 3 deg", "A", 3.0), ("lock B 4 deg", "B", 4.0), ("lock C 20 deg", "C", 20.0)]
+    {
         assert_eq!(chosen(&solved(&head(branch), cl)[0], [axis]), [value], "{branch}");
     }
 }
@@ -102,7 +103,10 @@ fn a_jump_in_a_cut_is_a_reposition() {
     let cut = "FEDRAT/100\nGOTO/0,0,0,0,0,1\nGOTO/0,0,-80\nGOTO/0,0,0\n";
     let (status, stderr) = told(&quill("free W"), cut);
     assert_eq!(status, 1, "{stderr}");
-    assert!(stderr.contains("error[E1103]: a surplus axis jumps in the middle of a cut\n --> part.cls:3:1\n"), "{stderr}");
+    assert!(
+        stderr.contains("error[E1103]: a surplus axis jumps in the middle of a cut\n --> part.cls:3:1\n"),
+        "{stderr}"
+    );
     assert!(stderr.contains("W goes from 0.000 mm to -30.000 mm"), "{stderr}");
     assert!(stderr.contains("no way to this point with W at 0.000 mm"), "{stderr}");
     assert_eq!(stderr.matches("E1103").count(), 1, "a free axis stays where it went: {stderr}");

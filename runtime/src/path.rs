@@ -125,8 +125,7 @@ impl<'a> PathSolver<'a> {
             return choice;
         }
         // Without a way at all, what is told is told of the wanted values.
-        self.search(lane)
-            .unwrap_or_else(|| self.chooser.choose(&self.solutions, lane, 0..0, tip_mm, self.kinematics))
+        self.search(lane).unwrap_or_else(|| self.chooser.choose(&self.solutions, lane, 0..0, tip_mm, self.kinematics))
     }
 
     /// The first of the samples with which the machine has a way to the lane's pose.

@@ -35,7 +35,8 @@ pub(crate) fn check(draft: &Draft<'_>) -> Vec<Diagnostic> {
         }
         (&[a, b], &[rotary]) if turns_in_their_plane(draft, [a, b, rotary]) => {
             let (a_name, b_name, name) = (&a.name.value, &b.name.value, &rotary.name.value);
-            let message = format!("{name} turns in the plane of {a_name} and {b_name}, and does not make up for a third");
+            let message =
+                format!("{name} turns in the plane of {a_name} and {b_name}, and does not make up for a third");
             vec![report(draft, message, &[rotary, b, a])]
         }
         _ => Vec::new(),
@@ -58,20 +59,19 @@ fn are_flat(draft: &Draft<'_>, [a, b, c]: [&AxisDraft; 3]) -> bool {
 
 /// Whether a rotary axis that turns about the tool is the normal of two linear axes.
 fn turns_in_their_plane(draft: &Draft<'_>, [a, b, rotary]: [&AxisDraft; 3]) -> bool {
-    standing::always(draft, |standing| {
-        match (standing.of(a), standing.of(b), standing.of(rotary), standing.tool()) {
-            (Some(a), Some(b), Some(n), Some(tool)) => {
-                let normal = a.cross(&b).normalize();
-                n.cross(&tool).norm() <= PARALLEL_SINE && n.cross(&normal).norm() <= PARALLEL_SINE
-            }
-            _ => false,
+    standing::always(draft, |standing| match (standing.of(a), standing.of(b), standing.of(rotary), standing.tool()) {
+        (Some(a), Some(b), Some(n), Some(tool)) => {
+            let normal = a.cross(&b).normalize();
+            n.cross(&tool).norm() <= PARALLEL_SINE && n.cross(&normal).norm() <= PARALLEL_SINE
         }
+        _ => false,
     })
 }
 
 fn report(draft: &Draft<'_>, what: String, axes: &[&AxisDraft]) -> Diagnostic {
     let message = format!("{what}: the linear axes do not reach every point");
-    axes.iter().fold(Diagnostic::error(&NO_SPACE, message), |diagnostic, axis| match &axis.direction {
+    let error = standing::noted(draft, Diagnostic::error(&NO_SPACE, message));
+    axes.iter().fold(error, |diagnostic, axis| match &axis.direction {
         Some(direction) => diagnostic.at(draft.sources.place(&direction.at), axis.name.value.as_str()),
         None => diagnostic,
     })

@@ -35,5 +35,5 @@ pub(crate) fn check(draft: &Draft<'_>) -> Vec<Diagnostic> {
             None => diagnostic,
         }
     });
-    vec![diagnostic]
+    vec![standing::noted(draft, diagnostic)]
 }

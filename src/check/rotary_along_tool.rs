@@ -42,5 +42,5 @@ pub(crate) fn check(draft: &Draft<'_>) -> Vec<Diagnostic> {
     let diagnostic = super::error(draft, &ALONG_TOOL, message, &direction.at, "along the tool")
         .at(draft.sources.place(&along.at), "the tool")
         .note(format!("{} is the last rotary axis of the chain before the tool", last.name.value));
-    vec![diagnostic]
+    vec![standing::noted(draft, diagnostic)]
 }

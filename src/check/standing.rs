@@ -1,6 +1,8 @@
 //! The directions of a draft as they stand: what the checks of the geometry look at.
 
+use crate::diagnostic::Diagnostic;
 use crate::model::draft::{AxisDraft, Draft};
+use crate::model::quantity::readable;
 use crate::model::standing::{Joint, standing};
 use crate::syntax::tree::Link;
 use mach_runtime::machine::{Motion, Rule};
@@ -12,14 +14,14 @@ const ELSEWHERE_RAD: f64 = 1.0;
 
 /// Directions, each `None` where it was not said rightly.
 pub(super) struct Standing<'a> {
-    axes: Vec<(&'a str, Vector3<f64>)>,
+    axes: Vec<(&'a AxisDraft, Vector3<f64>)>,
     tool: Option<Vector3<f64>>,
 }
 
 impl Standing<'_> {
     /// An axis' direction.
     pub(super) fn of(&self, axis: &AxisDraft) -> Option<Vector3<f64>> {
-        let known = self.axes.iter().find(|(name, _)| *name == axis.name.value);
+        let known = self.axes.iter().find(|(known, _)| std::ptr::eq(*known, axis));
         known.map(|(_, direction)| *direction).or_else(|| axis.unit())
     }
 
@@ -34,23 +36,34 @@ pub(super) fn always(draft: &Draft<'_>, wrong: impl Fn(&Standing<'_>) -> bool) -
     wrong(&with(draft, 0.0)) && wrong(&with(draft, ELSEWHERE_RAD))
 }
 
+/// A finding, with where the axes stand that have a part in it.
+pub(super) fn noted(draft: &Draft<'_>, diagnostic: Diagnostic) -> Diagnostic {
+    let locked = draft.axes.iter().filter_map(|axis| match draft.ruled(axis)?.rule? {
+        Rule::Locked(value) if axis.motion == Motion::Rotary => {
+            Some(format!("{} at {} deg", axis.name.value, readable(value)))
+        }
+        _ => None,
+    });
+    let locked: Vec<String> = locked.collect();
+    if locked.is_empty() { diagnostic } else { diagnostic.note(format!("so it is with {}", locked.join(" and "))) }
+}
+
 /// With the surplus rotaries so far away from where they stand.
 fn with<'a>(draft: &'a Draft<'_>, away_rad: f64) -> Standing<'a> {
     let links = draft.chain.iter().flat_map(|chain| &chain.value);
-    let mut joints: Vec<(&str, Joint)> = Vec::new();
+    let mut joints: Vec<(&AxisDraft, Joint)> = Vec::new();
     for link in links {
         let Link::Axis { name, primed } = link else { continue };
         let Some((_, axis)) = draft.axis(&name.value) else { continue };
-        let Some(direction) = axis.unit().filter(|_| joints.iter().all(|(known, _)| *known != name.value)) else {
-            continue;
-        };
+        let stands_before = joints.iter().any(|(known, _)| std::ptr::eq(*known, axis));
+        let Some(direction) = axis.unit().filter(|_| !stands_before) else { continue };
         let turn_rad = turn_rad(draft, axis, away_rad);
-        joints.push((&name.value, Joint { direction, turn_rad: if *primed { -turn_rad } else { turn_rad } }));
+        joints.push((axis, Joint { direction, turn_rad: if *primed { -turn_rad } else { turn_rad } }));
     }
-    let (names, joints): (Vec<_>, Vec<_>) = joints.into_iter().unzip();
+    let (axes, joints): (Vec<_>, Vec<_>) = joints.into_iter().unzip();
     let tool = draft.tool.as_ref().and_then(|tool| tool.unit());
     let (directions, turned) = standing(&joints, &tool.unwrap_or_else(Vector3::zeros));
-    Standing { axes: names.into_iter().zip(directions).collect(), tool: tool.map(|_| turned) }
+    Standing { axes: axes.into_iter().zip(directions).collect(), tool: tool.map(|_| turned) }
 }
 
 fn turn_rad(draft: &Draft<'_>, axis: &AxisDraft, away_rad: f64) -> f64 {

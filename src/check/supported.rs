@@ -64,15 +64,22 @@ pub(crate) fn check(draft: &Draft<'_>) -> Vec<Diagnostic> {
 fn too_many(draft: &Draft<'_>, axes: &[&AxisDraft], most: usize, motion: &str) -> Diagnostic {
     let names: Vec<&str> = axes.iter().map(|axis| axis.name.value.as_str()).collect();
     let beside = if motion == "rotary" && most == 1 { " beside two linear ones" } else { "" };
-    let (count, surplus) = (axes.len(), axes.len() - most);
-    let message = format!("of {count} {motion} axes{beside}, a pose decides {most}: {surplus} too many");
+    let surplus = axes.len() - most;
+    let number =
+        |count: usize| ["no", "one", "two", "three"].get(count).map_or(count.to_string(), |&word| word.to_owned());
+    let message = format!(
+        "{} {motion} axes{beside}: a pose decides {}, and nothing is said of the other{}",
+        axes.len(),
+        number(most),
+        if surplus == 1 { "" } else { "s" }
+    );
     let error = Diagnostic::error(&SURPLUS, message);
     let marked = axes.iter().fold(error, |error, axis| error.at(draft.sources.place(&axis.name.at), ""));
     let (last, unit) = (names[names.len() - 1], if motion == "linear" { "mm" } else { "deg" });
-    let way = format!(
-        "say of {surplus} of {} what it does, for example `branch {{ lock {last} 0 {unit} }}`; `prefer` and `free` leave it \
-         to move where it must",
+    let marked = marked.note(format!(
+        "say of {} of {} what it does, for example `branch {{ lock {last} 0 {unit} }}`",
+        number(surplus),
         names.join(", ")
-    );
-    marked.note(way)
+    ));
+    if motion == "rotary" && most == 1 { marked } else { marked.note("`prefer` and `free` let it move where it must") }
 }

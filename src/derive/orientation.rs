@@ -29,7 +29,8 @@ pub(super) struct Orientation<'a> {
 impl<'a> Orientation<'a> {
     /// The problem for the wanted tool axis `u`.
     pub(super) fn of(graph: &mut Graph, chain: &'a Chain, given: &Values, u: Vector) -> Self {
-        let mut orientation = Self { solved: vec![], between: vec![], wanted: u, tool: constant(graph, &chain.tool_axis) };
+        let mut orientation =
+            Self { solved: vec![], between: vec![], wanted: u, tool: constant(graph, &chain.tool_axis) };
         // The given rotaries since the last solved one.
         let mut open: Vec<Given<'a>> = Vec::new();
         for (element, value) in chain.elements.iter().zip(given).filter(|(element, _)| element.is_rotary()) {

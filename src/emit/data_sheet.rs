@@ -96,7 +96,9 @@ fn forward(model: &Model, plan: &Plan) -> Vec<String> {
 fn inverse(model: &Model, plan: &Plan) -> Vec<String> {
     let of_kind = |ids: &[Id], motion: Motion| -> Vec<(&str, Id)> {
         let all = model.axes.iter().zip(ids);
-        all.filter(|(axis, _)| axis.motion == motion && axis.is_solved()).map(|(axis, &id)| (axis.name.as_str(), id)).collect()
+        all.filter(|(axis, _)| axis.motion == motion && axis.is_solved())
+            .map(|(axis, &id)| (axis.name.as_str(), id))
+            .collect()
     };
     let solutions: Vec<_> = plan.branches.iter().map(|branch| of_kind(&branch.joints, Motion::Rotary)).collect();
     let linear = equations(&mut notation(model, plan), &of_kind(&plan.position, Motion::Linear));

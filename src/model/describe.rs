@@ -144,11 +144,7 @@ fn branch_into(draft: &mut Draft<'_>, statement: &BranchStatement, at: &Location
 }
 
 /// What is said of axes that the pose does not decide.
-fn ruled(
-    evaluator: &mut Evaluator<'_>,
-    draft: &Draft<'_>,
-    statements: &[Located<MachineStatement>],
-) -> Vec<RuleDraft> {
+fn ruled(evaluator: &mut Evaluator<'_>, draft: &Draft<'_>, statements: &[Located<MachineStatement>]) -> Vec<RuleDraft> {
     let bodies = statements.iter().filter_map(|statement| match &statement.value {
         MachineStatement::Branch(body) => Some((body, &statement.at)),
         _ => None,
@@ -164,10 +160,11 @@ fn rule(evaluator: &mut Evaluator<'_>, draft: &Draft<'_>, said: &BranchStatement
         BranchStatement::Free(axis) => (axis, None, |_| Rule::Free),
         _ => return None,
     };
-    let motion = draft.axis(&axis.value).map_or(Motion::Rotary, |(_, axis)| axis.motion);
-    let value = value.map_or(Some(0.0), |value| {
-        evaluator.number(at.source, value, Field::travel(motion), Sign::Any)
-    });
+    let value = match (value, draft.axis(&axis.value)) {
+        (Some(value), Some((_, axis))) => evaluator.number(at.source, value, Field::travel(axis.motion), Sign::Any),
+        // That there is no such axis is found later.
+        _ => Some(0.0),
+    };
     let axis = Located { value: axis.clone(), at: at.with(&axis.span) };
     Some(RuleDraft { axis, rule: value.map(rule), at })
 }

@@ -19,6 +19,6 @@ pub mod machine;
 pub(crate) mod parameter;
 pub(crate) mod quantity;
 mod scalar;
-pub(crate) mod standing;
 pub mod source;
+pub(crate) mod standing;
 mod subject;

@@ -26,9 +26,18 @@ fn joints(model: &Model, block: usize) -> Vec<[f64; LANES]> {
     model.axes.iter().enumerate().map(joint).collect()
 }
 
-/// Whether a rotary between the linear axes stands next to where they no longer span space.
-fn far(candidate: &[[f64; LANES]], lane: usize) -> bool {
-    candidate.iter().any(|joint| joint[lane].abs() > 1e4)
+/// Whether a rotary between the linear axes stands where they no longer span space, or next to it.
+fn far(model: &Model, candidate: &[[f64; LANES]], lane: usize) -> bool {
+    let joint = |(axis, joint): (&Axis, &[f64; LANES])| axis.motion == Motion::Linear && !(joint[lane].abs() <= 1e4);
+    has_rotary_between(model) && model.axes.iter().zip(candidate).any(joint)
+}
+
+/// Whether a rotary stands between linear axes.
+fn has_rotary_between(model: &Model) -> bool {
+    let is_linear: Vec<bool> =
+        model.chain.iter().map(|joint| model.axes[joint.axis].motion == Motion::Linear).collect();
+    let (first, last) = (is_linear.iter().position(|&linear| linear), is_linear.iter().rposition(|&linear| linear));
+    first.zip(last).is_some_and(|(first, last)| is_linear[first..=last].contains(&false))
 }
 
 /// Takes the poses through the inverse and back. With the joints that the poses were made from, one candidate must be
@@ -48,7 +57,7 @@ pub(crate) fn close_the_loop(
     let mut found = [asked.is_none(); LANES];
     for candidate in &solutions.branches {
         machine.forward(candidate, model.tool.length_mm, &mut reached);
-        for lane in (0..LANES).filter(|&lane| !far(candidate, lane)) {
+        for lane in (0..LANES).filter(|&lane| !far(model, candidate, lane)) {
             require(solutions.reach_rad[lane] > -1e-7, || format!("reach {}", solutions.reach_rad[lane]))?;
             require(solutions.gap_mm[lane] <= TIP_BOUND_MM, || format!("gap {}", solutions.gap_mm[lane]))?;
             let tip = norm(sub(reached.tip(lane), wanted.tip(lane)));
@@ -57,7 +66,7 @@ pub(crate) fn close_the_loop(
             require(axis <= AXIS_BOUND_RAD, || format!("axis {axis:e} rad"))?;
             found[lane] |= asked.is_some_and(|asked| same_rotaries(model, asked, candidate, lane));
         }
-        (0..LANES).filter(|&lane| far(candidate, lane)).for_each(|lane| found[lane] = true);
+        (0..LANES).filter(|&lane| far(model, candidate, lane)).for_each(|lane| found[lane] = true);
     }
     require(found.iter().all(|&found| found), || "a branch was missed".to_owned())
 }

@@ -50,7 +50,9 @@ impl<'t> Builder<'_, 't> {
             },
             Rule::records_statement => MachineStatement::Records(strictness(&parts.next())),
             Rule::branch_statement => {
-                MachineStatement::Branch(self.body(parts.next(), Rule::in_branch, |builder, pair| Some(builder.branch(pair))))
+                MachineStatement::Branch(
+                    self.body(parts.next(), Rule::in_branch, |builder, pair| Some(builder.branch(pair))),
+                )
             }
             Rule::controller_choice => MachineStatement::Controller {
                 name: parts.name(),
@@ -66,9 +68,7 @@ impl<'t> Builder<'_, 't> {
         match rule {
             Rule::start_statement => BranchStatement::Start(parts.rest().map(preference).collect()),
             Rule::then_statement => BranchStatement::Then(parts.rest().map(preference).collect()),
-            Rule::lock_statement => {
-                BranchStatement::Lock { axis: parts.name(), value: self.expression(parts.next()) }
-            }
+            Rule::lock_statement => BranchStatement::Lock { axis: parts.name(), value: self.expression(parts.next()) },
             Rule::prefer_statement => {
                 BranchStatement::Prefer { axis: parts.name(), value: self.expression(parts.next()) }
             }

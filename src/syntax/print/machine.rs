@@ -105,7 +105,8 @@ fn word(strictness: &Spanned<Strictness>) -> &'static str {
 
 fn branch(statement: &BranchStatement) -> Line {
     let row = |keyword: &str, rest: String| Line::row(Table::Branch, vec![keyword.to_owned(), rest]);
-    let listed = |preferences: &[Spanned<Preference>]| preferences.iter().map(preference).collect::<Vec<_>>().join(", ");
+    let listed =
+        |preferences: &[Spanned<Preference>]| preferences.iter().map(preference).collect::<Vec<_>>().join(", ");
     match statement {
         BranchStatement::Start(preferences) => row("start", listed(preferences)),
         BranchStatement::Then(preferences) => row("then", listed(preferences)),
