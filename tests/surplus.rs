@@ -79,7 +79,7 @@ fn a_third_rotary_helps_out_where_two_do_not_reach() {
         solved(&head(branch), cl).iter().map(|line| chosen(line, ["A", "B"])).collect()
     };
     // cos 30 deg = cos A cos B: with B within 10 degrees A is beyond 28.4.
-    let tilt_b = (0.866025403784_f64 / 29_f64.to_radians().cos()).acos().to_degrees();
+    let tilt_b = libm::acos(0.866025403784 / libm::cos(29_f64.to_radians())).to_degrees();
     let preferred = axes("prefer A 0 deg");
     assert_eq!([preferred[0][0], preferred[1][0], preferred[2][0]], [0.0, 29.0, 0.0]);
     assert!((preferred[1][1].abs() - tilt_b).abs() < 1e-5, "{preferred:?}");

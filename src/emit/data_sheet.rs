@@ -102,12 +102,13 @@ fn inverse(model: &Model, plan: &Plan) -> Vec<String> {
     };
     let solutions: Vec<_> = plan.branches.iter().map(|branch| of_kind(&branch.joints, Motion::Rotary)).collect();
     let linear = equations(&mut notation(model, plan), &of_kind(&plan.position, Motion::Linear));
+    let mut lines = given(model);
     if let [only] = &solutions[..] {
-        return [equations(&mut notation(model, plan), only), linear].concat();
+        return [lines, equations(&mut notation(model, plan), only), linear].concat();
     }
     let mut notation = notation(model, plan);
     let roots: Vec<Id> = solutions.iter().flatten().map(|&(_, id)| id).collect();
-    let mut lines = notation.shared(&roots);
+    lines.extend(notation.shared(&roots));
     for (index, solution) in solutions.iter().enumerate() {
         lines.push(format!("solution {}", index + 1));
         lines.extend(solution.iter().map(|(name, id)| format!("  {}", notation.equation(name, *id))));
@@ -115,6 +116,13 @@ fn inverse(model: &Model, plan: &Plan) -> Vec<String> {
     lines.push("for either solution".to_owned());
     lines.extend(linear.into_iter().map(|line| format!("  {line}")));
     lines
+}
+
+/// What the inverse takes besides the pose.
+fn given(model: &Model) -> Vec<String> {
+    let surplus = model.axes.iter().filter(|axis| axis.rule.is_surplus());
+    let names: Vec<&str> = surplus.map(|axis| axis.name.as_str()).collect();
+    if names.is_empty() { Vec::new() } else { vec![format!("for any {}", names.join(", "))] }
 }
 
 /// What the outputs share, then the outputs.

@@ -28,7 +28,9 @@ fn joints(model: &Model, block: usize) -> Vec<[f64; LANES]> {
 
 /// Whether a rotary between the linear axes stands where they no longer span space, or next to it.
 fn far(model: &Model, candidate: &[[f64; LANES]], lane: usize) -> bool {
-    let joint = |(axis, joint): (&Axis, &[f64; LANES])| axis.motion == Motion::Linear && !(joint[lane].abs() <= 1e4);
+    let joint = |(axis, joint): (&Axis, &[f64; LANES])| {
+        axis.motion == Motion::Linear && (joint[lane].is_nan() || joint[lane].abs() > 1e4)
+    };
     has_rotary_between(model) && model.axes.iter().zip(candidate).any(joint)
 }
 
