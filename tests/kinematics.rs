@@ -4,6 +4,7 @@
 use mach_runtime::kinematics::{LANES, PoseBlock};
 use mach_runtime::machine::{BranchPolicy, Motion, Rule, Strictness, Travel, Written};
 use machc::derive::{derive, family};
+use machc::model::errors::Errors;
 use machc::model::machine::{Axis, Joint, Model, Tool};
 use nalgebra::Vector3;
 use proptest::prelude::*;
@@ -63,6 +64,7 @@ fn model(axes: Vec<Axis>, chain: Vec<Joint>, tool: Tool) -> Model {
         chain,
         bed: 0,
         tool,
+        errors: Errors::default(),
         zero_mm: Vector3::zeros(),
         axis_tolerance_rad: 1e-6,
         plane_tolerance_mm: 0.001,

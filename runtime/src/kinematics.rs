@@ -94,4 +94,45 @@ pub trait Kinematics {
 
     /// The pose of each lane's joints.
     fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock);
+
+    /// The pose of each lane's joints with these errors of the axes: one lane for each of
+    /// [`crate::machine::Machine::errors`], in millimetres or radians. Only a machine with such tables needs it.
+    fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool_length_mm: f64, out: &mut PoseBlock) {
+        assert!(deviations.is_empty(), "a machine with error tables has a forward chain for them");
+        self.forward(joints, tool_length_mm, out);
+    }
+}
+
+impl<K: Kinematics + ?Sized> Kinematics for &mut K {
+    fn axis_count(&self) -> usize {
+        (**self).axis_count()
+    }
+
+    fn branch_count(&self) -> usize {
+        (**self).branch_count()
+    }
+
+    fn free_axis(&self) -> Option<usize> {
+        (**self).free_axis()
+    }
+
+    fn surplus_axes(&self) -> &[usize] {
+        (**self).surplus_axes()
+    }
+
+    fn inverse(&mut self, poses: &PoseBlock, surplus: &[Lane], tool_length_mm: f64, out: &mut SolutionBlock) {
+        (**self).inverse(poses, surplus, tool_length_mm, out);
+    }
+
+    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) {
+        (**self).position(tip_mm, tool_length_mm, joints);
+    }
+
+    fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {
+        (**self).forward(joints, tool_length_mm, out);
+    }
+
+    fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool_length_mm: f64, out: &mut PoseBlock) {
+        (**self).forward_actual(joints, deviations, tool_length_mm, out);
+    }
 }

@@ -8,7 +8,9 @@
 pub mod branch;
 pub mod certificate;
 pub mod cl;
+pub mod compensation;
 pub mod diagnostic;
+pub mod error_table;
 pub mod kinematics;
 pub mod machine;
 pub mod nc;

@@ -2,6 +2,7 @@
 
 use crate::branch::{Candidate, Choice, Chooser, surplus};
 use crate::cl::event::{Approach, Point};
+use crate::compensation::Compensated;
 use crate::kinematics::{Kinematics, LANES, Lane, PoseBlock, SolutionBlock};
 use crate::machine::Machine;
 use crate::vector::add;
@@ -10,11 +11,12 @@ use std::ops::Range;
 /// How far a surplus axis may be from where it was and still stand there, in millimetres or degrees: rounding is no jump.
 const AT_REST: f64 = 1e-9;
 
-/// Solves a path of any length. The points of a block are solved together: where the first rotary is free and the tool
-/// not in a cut, it looks ahead to the end of the block, so that it stands right when the cut begins to tilt.
+/// Solves a path of any length, with the machine's errors compensated. The points of a block are solved together: where
+/// the first rotary is free and the tool not in a cut, it looks ahead to the end of the block, so that it stands right
+/// when the cut begins to tilt.
 pub struct PathSolver<'a> {
     machine: &'a Machine,
-    pub(crate) kinematics: &'a mut dyn Kinematics,
+    pub(crate) kinematics: Compensated<'a, &'a mut dyn Kinematics>,
     /// The poses of the last block, in the machine frame; lanes beyond its points repeat its last point.
     pub(crate) poses: PoseBlock,
     solutions: SolutionBlock,
@@ -82,7 +84,7 @@ impl<'a> PathSolver<'a> {
             solutions: SolutionBlock::new(branches, axes),
             surplus: Surplus::new(kinematics),
             chooser: Chooser::new(machine, branches),
-            kinematics,
+            kinematics: Compensated::new(kinematics, machine),
         }
     }
 
@@ -120,12 +122,13 @@ impl<'a> PathSolver<'a> {
             self.invert();
         }
         let tip_mm = self.poses.tip(lane);
-        let choice = self.chooser.choose(&self.solutions, lane, ahead, tip_mm, self.kinematics);
+        let choice = self.chooser.choose(&self.solutions, lane, ahead, tip_mm, &mut self.kinematics);
         if self.surplus.axes.is_empty() || matches!(choice, Choice::Candidate { .. }) {
             return choice;
         }
         // Without a way at all, what is told is told of the wanted values.
-        self.search(lane).unwrap_or_else(|| self.chooser.choose(&self.solutions, lane, 0..0, tip_mm, self.kinematics))
+        self.search(lane)
+            .unwrap_or_else(|| self.chooser.choose(&self.solutions, lane, 0..0, tip_mm, &mut self.kinematics))
     }
 
     /// The first of the samples with which the machine has a way to the lane's pose.
@@ -140,7 +143,7 @@ impl<'a> PathSolver<'a> {
             let lanes: Vec<Lane> = (0..axes.len()).map(lanes).collect();
             kinematics.inverse(&surplus.poses, &lanes, machine.tool_length_mm, &mut surplus.solutions);
             let mut choices =
-                (0..block.len()).map(|trial| chooser.choose(&surplus.solutions, trial, 0..0, tip_mm, *kinematics));
+                (0..block.len()).map(|trial| chooser.choose(&surplus.solutions, trial, 0..0, tip_mm, kinematics));
             if let Some(choice) = choices.find(|choice| matches!(choice, Choice::Candidate { .. })) {
                 return Some(choice);
             }

@@ -3,6 +3,7 @@
 use super::{PARALLEL_SINE, standing};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::model::draft::{AxisDraft, Draft};
+use crate::model::standing::ALONG_SINE;
 use mach_runtime::machine::Motion;
 
 /// Linear axes in one plane.
@@ -62,7 +63,7 @@ fn turns_in_their_plane(draft: &Draft<'_>, [a, b, rotary]: [&AxisDraft; 3]) -> b
     standing::always(draft, |standing| match (standing.of(a), standing.of(b), standing.of(rotary), standing.tool()) {
         (Some(a), Some(b), Some(n), Some(tool)) => {
             let normal = a.cross(&b).normalize();
-            n.cross(&tool).norm() <= PARALLEL_SINE && n.cross(&normal).norm() <= PARALLEL_SINE
+            n.cross(&tool).norm() < ALONG_SINE && n.cross(&normal).norm() <= PARALLEL_SINE
         }
         _ => false,
     })

@@ -9,9 +9,6 @@ use std::f64::consts::FRAC_PI_2;
 /// Angles that differ by less than this are what they look like: far below any machine's squareness.
 const SAME_ANGLE_RAD: f64 = 1e-9;
 
-/// As the check of the machine has it: with a smaller sine between them two directions are one.
-const PARALLEL_SINE: f64 = 1e-6;
-
 /// Which way the rotary axes stand to each other and to the tool.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reach {
@@ -59,7 +56,7 @@ pub fn tool(model: &Model) -> Vector3<f64> {
 /// The rotary axis that the position decides, of a machine with two linear axes.
 pub fn polar(model: &Model) -> Option<Rotary> {
     let [only] = rotaries(model)[..] else { return None };
-    let turns_about_tool = only.direction.cross(&tool(model)).norm() < PARALLEL_SINE;
+    let turns_about_tool = only.direction.cross(&tool(model)).norm() < standing::ALONG_SINE;
     (linears(model).len() == 2 && turns_about_tool).then_some(only)
 }
 

@@ -6,6 +6,7 @@
 //! where the position decides the only one, the two angles that bring the tip to the linear axes (`polar`); and what is
 //! linear in the linear joints for those (`position`). Locked joints are constants in all of this, surplus ones inputs.
 
+mod actual;
 mod chain;
 pub mod family;
 mod forward;
@@ -39,7 +40,7 @@ struct Angles {
 pub fn derive(model: &Model) -> Plan {
     let chain = Chain::of(model);
     let mut graph = Graph::default();
-    let inputs = Plan::inputs(&mut graph, model.axes.len());
+    let inputs = Plan::inputs(&mut graph, model.axes.len(), model.errors.tables.len());
     let given = chain.given(&mut graph, &inputs.joints);
     let orientation = Orientation::of(&mut graph, &chain, &given, inputs.axis);
     let angles = match orientation.rotary_along_tool(&graph) {
@@ -54,6 +55,7 @@ pub fn derive(model: &Model) -> Plan {
     let known = chain.known_from_joints(&mut graph, &inputs.joints);
     let (position, _) = solved(&mut graph, &chain, &inputs, &known);
     let (tip, axis) = forward::pose(&mut graph, &chain, &inputs);
+    let actual = actual::pose(&mut graph, &chain, &inputs);
     Plan {
         branches: branches.into_iter().map(|joints| Branch { joints }).collect(),
         reach: angles.reach,
@@ -64,6 +66,8 @@ pub fn derive(model: &Model) -> Plan {
         position,
         tip,
         axis,
+        actual,
+        errors: inputs.errors.len(),
         rotary: model.axes.iter().map(|axis| axis.motion == Motion::Rotary).collect(),
         graph,
     }

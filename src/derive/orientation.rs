@@ -3,12 +3,9 @@
 use super::Angles;
 use super::chain::{Chain, Element, Values};
 use super::symbolic::{Turn, Vector, as_constant, constant, cross, dot, norm};
+use crate::model::standing::ALONG_SINE;
 use crate::plan::{Graph, Id, Op, snap};
 use nalgebra::Vector3;
-
-/// Two unit vectors with a smaller sine between them are along one line; machines that lie between this and a rounding
-/// have been refused.
-const PARALLEL_SINE: f64 = 1e-6;
 
 /// A rotary element whose value is given.
 type Given<'a> = (&'a Element, Turn);
@@ -58,7 +55,7 @@ impl<'a> Orientation<'a> {
     /// The only rotary to be solved, where it turns about the tool.
     pub(super) fn rotary_along_tool(&self, graph: &Graph) -> Option<&'a Element> {
         let ([only], Some(tool)) = (&self.solved[..], as_constant(graph, self.tool)) else { return None };
-        (only.direction.cross(&tool).norm() <= PARALLEL_SINE).then_some(only)
+        (only.direction.cross(&tool).norm() < ALONG_SINE).then_some(only)
     }
 
     pub(super) fn solve(&self, graph: &mut Graph) -> Angles {

@@ -151,7 +151,7 @@ fn reach(model: &Model, plan: &Plan) -> Vec<String> {
 /// The tips that X Z C reaches.
 fn polar(model: &Model, plan: &Plan, rotary: &Rotary) -> Vec<String> {
     let (axis, mut poses) = (&model.axes[rotary.axis], PoseBlock::ZERO);
-    poses.set(0, axis.point_mm.into(), family::tool(model).into());
+    poses.set(0, model.line(rotary.axis).point_mm.into(), family::tool(model).into());
     let mut machine = Interpreter::new(plan);
     let mut solutions = SolutionBlock::new(machine.branch_count(), machine.axis_count());
     let surplus = vec![[0.0; LANES]; machine.surplus_axes().len()];

@@ -33,6 +33,8 @@ pub(crate) struct Draft<'a> {
 
 /// A declared axis.
 pub(crate) struct AxisDraft {
+    /// The whole statement.
+    pub(crate) at: Location,
     pub(crate) name: Located<String>,
     pub(crate) motion: Motion,
     /// Of any length.
@@ -45,6 +47,8 @@ pub(crate) struct AxisDraft {
 
 /// The tool.
 pub(crate) struct ToolDraft {
+    /// The whole statement.
+    pub(crate) at: Location,
     /// Of any length.
     pub(crate) along: Option<Located<Vector3<f64>>>,
     pub(crate) gauge_mm: Option<Vector3<f64>>,

@@ -5,6 +5,10 @@ use crate::plan::{cos_constant, sin_constant};
 use mach_runtime::machine::{Motion, Rule};
 use nalgebra::Vector3;
 
+/// Along a line: with a smaller sine between a rotary axis and the tool, a machine with two linear axes is one whose rotary
+/// turns about the tool. A measured one may be a little off.
+pub(crate) const ALONG_SINE: f64 = 0.02;
+
 /// One joint of a chain, from the workpiece to the tool.
 pub(crate) struct Joint {
     /// Its unit direction with every axis at zero.
@@ -46,7 +50,10 @@ pub(crate) fn of_model(model: &Model) -> (Vec<Vector3<f64>>, Vector3<f64>) {
     let joint = |joint: &super::machine::Joint| {
         let axis = &model.axes[joint.axis];
         let value = if axis.motion == Motion::Rotary { value(axis) } else { 0.0 };
-        Joint { direction: axis.direction, turn_rad: if joint.primed { -value } else { value }.to_radians() }
+        Joint {
+            direction: model.line(joint.axis).direction,
+            turn_rad: if joint.primed { -value } else { value }.to_radians(),
+        }
     };
     standing(&model.chain.iter().map(joint).collect::<Vec<_>>(), &model.tool.axis)
 }

@@ -1,6 +1,6 @@
 //! The plan as kinematics: its programs run over blocks of lanes. Joints are in millimetres and degrees outside.
 
-use super::{AXIS_INPUT, JOINT_INPUT, Plan, Program, TIP_INPUT, TOOL_LENGTH_INPUT};
+use super::{AXIS_INPUT, Id, JOINT_INPUT, Plan, Program, TIP_INPUT, TOOL_LENGTH_INPUT};
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, PoseBlock, SolutionBlock};
 use mach_runtime::vector::Vec3;
 
@@ -10,6 +10,8 @@ pub struct Interpreter {
     inverse: Program,
     position: Program,
     forward: Program,
+    /// The forward chain with errors; its inputs go on with these.
+    actual: Program,
     branches: usize,
     free_axis: Option<usize>,
     surplus: Vec<usize>,
@@ -22,11 +24,12 @@ impl Interpreter {
         let inputs = JOINT_INPUT + plan.rotary.len();
         let mut outputs: Vec<_> = plan.branches.iter().flat_map(|branch| branch.joints.clone()).collect();
         outputs.extend([plan.reach, plan.pole_sine, plan.gap]);
-        let pose: Vec<_> = plan.tip.iter().chain(&plan.axis).copied().collect();
+        let pose = |(tip, axis): ([Id; 3], [Id; 3])| -> Vec<Id> { tip.into_iter().chain(axis).collect() };
         Self {
             inverse: Program::new(&plan.graph, inputs, &outputs),
             position: Program::new(&plan.graph, inputs, &plan.position),
-            forward: Program::new(&plan.graph, inputs, &pose),
+            forward: Program::new(&plan.graph, inputs, &pose((plan.tip, plan.axis))),
+            actual: Program::new(&plan.graph, inputs + plan.errors, &pose(plan.actual)),
             branches: plan.branches.len(),
             free_axis: plan.free_axis,
             surplus: plan.surplus.clone(),
@@ -94,15 +97,27 @@ impl Kinematics for Interpreter {
     }
 
     fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {
-        for (axis, lane) in joints.iter().enumerate() {
-            *self.forward.input(JOINT_INPUT + axis) = inside(lane, self.rotary[axis]);
+        pose(&mut self.forward, &self.rotary, joints, tool_length_mm, out);
+    }
+
+    fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool_length_mm: f64, out: &mut PoseBlock) {
+        for (error, lane) in deviations.iter().enumerate() {
+            *self.actual.input(JOINT_INPUT + self.rotary.len() + error) = *lane;
         }
-        *self.forward.input(TOOL_LENGTH_INPUT) = [tool_length_mm; LANES];
-        self.forward.run();
-        for i in 0..3 {
-            out.tip_mm[i] = *self.forward.output(i);
-            out.axis[i] = *self.forward.output(3 + i);
-        }
+        pose(&mut self.actual, &self.rotary, joints, tool_length_mm, out);
+    }
+}
+
+/// Runs a forward program.
+fn pose(program: &mut Program, rotary: &[bool], joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {
+    for (axis, lane) in joints.iter().enumerate() {
+        *program.input(JOINT_INPUT + axis) = inside(lane, rotary[axis]);
+    }
+    *program.input(TOOL_LENGTH_INPUT) = [tool_length_mm; LANES];
+    program.run();
+    for i in 0..3 {
+        out.tip_mm[i] = *program.output(i);
+        out.axis[i] = *program.output(3 + i);
     }
 }
 
