@@ -68,7 +68,7 @@ pub fn compile(entry: &str, sources: &dyn Sources) -> Result<Compiled, Vec<Diagn
 
     let origins = origins(&draft);
     let plan = derive(&model);
-    let proof = prove::prove(&plan, model.tool.length_mm);
+    let proof = prove::prove(&model, &plan);
     found.extend(prove::check(&model, &proof));
     refuse_errors(&program.sources, &mut found)?;
     Ok(Compiled { model, origins, plan, proof, warnings: found })

@@ -67,6 +67,38 @@ fn machines_with_fewer_rotaries_say_what_they_reach() {
 }
 
 #[test]
+fn a_turning_centre_without_y_is_polar() {
+    let sheet = sheet("xzc_face");
+    assert!(sheet.contains("family  3 axes, mill-turn, polar X Z C\n"), "{sheet}");
+    assert_eq!(
+        section(&sheet, "inverse transformation"),
+        [
+            "solution 1",
+            "C = atan2(y, x)",
+            "solution 2",
+            "C = atan2(-y, -x)",
+            "for either solution",
+            "X = x cos C + y sin C",
+            "Z = L + z",
+        ]
+    );
+    assert_eq!(section(&sheet, "reach"), ["tool axis (0, 0, 1) only", "singular at the axis of C: C is free"]);
+}
+
+#[test]
+fn surplus_axes_are_told_and_not_solved_for() {
+    let sheet = sheet("integrex300");
+    assert!(sheet.contains("family  6 axes, head/table, orthogonal, with A preferred\n"), "{sheet}");
+    assert!(section(&sheet, "axes").iter().any(|line| line.ends_with("unlimited, preferred at 0 deg")), "{sheet}");
+    let inverse = section(&sheet, "inverse transformation");
+    assert!(inverse[0] == "for any A" && inverse.iter().all(|line| !line.starts_with("A = ")), "{sheet}");
+    assert_eq!(section(&sheet, "reach")[0], "with A at 0 deg:");
+    let quill = self::sheet("bridge6_quill");
+    assert!(quill.contains("family  6 axes, head/head, orthogonal, with W preferred\n"), "{quill}");
+    assert!(section(&quill, "inverse transformation").iter().any(|line| line.contains(" - W")), "{quill}");
+}
+
+#[test]
 fn every_sheet_ends_with_its_proof() {
     for name in ["tmv710a", "dmu50ev", "dmu80_monoblock", "endura900", "vmc3", "vmc4"] {
         let sheet = sheet(name);

@@ -40,9 +40,10 @@ fn check(name: &str, Compiled { model, plan, .. }: &Compiled, row: &Row) {
     let wanted = joints(model, row);
     let rotary = |axis: usize| model.axes[axis].name.starts_with(['A', 'B', 'C']);
 
-    let mut placed: Vec<f64> = (0..5).map(|axis| if rotary(axis) { wanted[axis] } else { f64::NAN }).collect();
+    let axes = wanted.len();
+    let mut placed: Vec<f64> = (0..axes).map(|axis| if rotary(axis) { wanted[axis] } else { f64::NAN }).collect();
     machine.position(row.tip, model.tool.length_mm, &mut placed);
-    assert!((0..5).all(|axis| close(placed[axis], wanted[axis])), "{name}: {placed:?} is not {wanted:?}");
+    assert!((0..axes).all(|axis| close(placed[axis], wanted[axis])), "{name}: {placed:?} is not {wanted:?}");
 
     let mut pose = PoseBlock::ZERO;
     let block = wanted.iter().map(|joint| [*joint; LANES]).collect();
@@ -54,7 +55,7 @@ fn check(name: &str, Compiled { model, plan, .. }: &Compiled, row: &Row) {
     machine.inverse(&pose, &surplus, model.tool.length_mm, &mut solutions);
     let is_wanted = |candidate: &Vec<[f64; LANES]>| {
         let same = |axis| if rotary(axis) { same_angle } else { close }(candidate[axis][0], wanted[axis]);
-        (0..5).all(same)
+        (0..axes).all(same)
     };
     let candidates: Vec<Vec<f64>> =
         solutions.branches.iter().map(|branch| branch.iter().map(|joint| joint[0]).collect()).collect();

@@ -74,7 +74,7 @@ fn nearest_turn(angle: f64, middle: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::machine::{Travel, Written};
+    use crate::machine::{Rule, Travel, Written};
 
     fn axis(motion: Motion) -> Axis {
         Axis {
@@ -83,6 +83,7 @@ mod tests {
             travel: Travel::UNLIMITED,
             written: Written::Unwound,
             zero: 0.0,
+            rule: Rule::Pose,
             length_share: 0.0,
             rapid_per_min: None,
         }

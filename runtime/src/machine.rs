@@ -12,6 +12,8 @@ pub struct Axis {
     pub motion: Motion,
     /// How far it can go, in machine coordinates.
     pub travel: Travel,
+    /// What decides where it stands.
+    pub rule: Rule,
     /// How its value is written.
     pub written: Written,
     /// The joint value at which the program reads zero: the axis' share of the program zero.
@@ -79,6 +81,26 @@ impl Travel {
     pub const UNLIMITED: Self = Self { lower: f64::NEG_INFINITY, upper: f64::INFINITY };
 }
 
+/// What decides where an axis stands. Values are in millimetres or degrees, within its travel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Rule {
+    /// The pose of the tool.
+    Pose,
+    /// The machine file, for good.
+    Locked(f64),
+    /// The machine file: this value wherever the machine has a way with it, else the nearest sample that has one.
+    Preferred(f64),
+    /// It stays where it is while the machine has a way with that, else it goes to the nearest sample that has one.
+    Free,
+}
+
+impl Rule {
+    /// Whether the pose leaves the axis open, so that its value has to be chosen.
+    pub fn is_surplus(self) -> bool {
+        matches!(self, Self::Preferred(_) | Self::Free)
+    }
+}
+
 /// How a rotary value is written.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Written {
@@ -135,6 +157,8 @@ pub struct Machine {
     pub branch: BranchPolicy,
     /// How far the tool axis may be from the wanted one, in radians, before a direction counts as out of reach.
     pub axis_tolerance_rad: f64,
+    /// How far the tip may be from what two linear axes and a rotary one reach, in millimetres.
+    pub plane_tolerance_mm: f64,
     /// How far a segment may leave an arc of the CL, in millimetres.
     pub chord_tolerance_mm: f64,
     /// What a CL record that nobody knows does.

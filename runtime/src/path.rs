@@ -1,21 +1,38 @@
 //! Points to joints, block by block: the kinematics gives every candidate, the choice goes through them in order.
 
-use crate::branch::{Candidate, Choice, Chooser};
+use crate::branch::{Candidate, Choice, Chooser, surplus};
 use crate::cl::event::{Approach, Point};
 use crate::compensation::Compensated;
-use crate::kinematics::{Kinematics, LANES, PoseBlock, SolutionBlock};
+use crate::kinematics::{Kinematics, LANES, Lane, PoseBlock, SolutionBlock};
 use crate::machine::Machine;
 use crate::vector::add;
+use std::ops::Range;
 
-/// Solves a path of any length, with the machine's errors compensated. The points of a block are solved together: where the first rotary is free and the tool
-/// not in a cut, it looks ahead to the end of the block, so that it stands right when the cut begins to tilt.
+/// How far a surplus axis may be from where it was and still stand there, in millimetres or degrees: rounding is no jump.
+const AT_REST: f64 = 1e-9;
+
+/// Solves a path of any length, with the machine's errors compensated. The points of a block are solved together: where
+/// the first rotary is free and the tool not in a cut, it looks ahead to the end of the block, so that it stands right
+/// when the cut begins to tilt.
 pub struct PathSolver<'a> {
     machine: &'a Machine,
     pub(crate) kinematics: Compensated<'a, &'a mut dyn Kinematics>,
     /// The poses of the last block, in the machine frame; lanes beyond its points repeat its last point.
     pub(crate) poses: PoseBlock,
     solutions: SolutionBlock,
+    surplus: Surplus,
     chooser: Chooser<'a>,
+}
+
+/// The axes that the pose leaves open.
+struct Surplus {
+    axes: Vec<usize>,
+    /// The values that the block was solved for.
+    values: Vec<f64>,
+    lanes: Vec<Lane>,
+    /// One pose with other values, a sample a lane.
+    poses: PoseBlock,
+    solutions: SolutionBlock,
 }
 
 /// One solved point.
@@ -31,6 +48,19 @@ pub struct Solved<'s> {
     pub candidates: &'s [Candidate],
     /// Whether there is no position before it.
     pub is_first: bool,
+    /// The first surplus axis that does not stay where it was, if one does not.
+    pub jump: Option<Jump>,
+}
+
+/// A surplus axis goes somewhere else; in millimetres or degrees.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Jump {
+    /// Its index.
+    pub axis: usize,
+    /// Where it was.
+    pub from: f64,
+    /// Where it is now.
+    pub to: f64,
 }
 
 impl Solved<'_> {
@@ -50,10 +80,11 @@ impl<'a> PathSolver<'a> {
         assert_eq!(axes, machine.axes.len(), "tables and kinematics are of one machine");
         Self {
             machine,
-            kinematics: Compensated::new(kinematics, machine),
             poses: PoseBlock::ZERO,
             solutions: SolutionBlock::new(branches, axes),
+            surplus: Surplus::new(kinematics),
             chooser: Chooser::new(machine, branches),
+            kinematics: Compensated::new(kinematics, machine),
         }
     }
 
@@ -65,13 +96,94 @@ impl<'a> PathSolver<'a> {
             let point = points.get(lane).unwrap_or(last);
             self.poses.set(lane, add(point.tip_mm, self.machine.zero_mm), point.axis);
         }
-        self.kinematics.inverse(&self.poses, &[], self.machine.tool_length_mm, &mut self.solutions);
+        self.surplus.set(self.wanted());
+        self.invert();
         for (lane, point) in points.iter().enumerate() {
             let is_first = !self.chooser.has_position();
             let in_cut = !is_first && matches!(point.approach, Approach::Feed(_));
             let ahead = if in_cut { 0..0 } else { lane + 1..points.len() };
-            let choice = self.chooser.choose(&self.solutions, lane, ahead, self.poses.tip(lane), &mut self.kinematics);
-            each(&Solved { point, lane, choice, candidates: self.chooser.candidates(), is_first });
+            let before = self.at_rest();
+            let choice = self.choose(lane, ahead);
+            let jump = if is_first { None } else { self.jump(&before) };
+            each(&Solved { point, lane, choice, candidates: self.chooser.candidates(), is_first, jump });
         }
+    }
+
+    fn invert(&mut self) {
+        let Self { machine, kinematics, poses, solutions, surplus, .. } = self;
+        kinematics.inverse(poses, &surplus.lanes, machine.tool_length_mm, solutions);
+    }
+
+    /// Chooses at a point with the surplus axes where they are wanted, else with the nearest samples that have a way.
+    fn choose(&mut self, lane: usize, ahead: Range<usize>) -> Choice {
+        let wanted = self.wanted();
+        if self.surplus.values != wanted {
+            self.surplus.set(wanted);
+            self.invert();
+        }
+        let tip_mm = self.poses.tip(lane);
+        let choice = self.chooser.choose(&self.solutions, lane, ahead, tip_mm, &mut self.kinematics);
+        if self.surplus.axes.is_empty() || matches!(choice, Choice::Candidate { .. }) {
+            return choice;
+        }
+        // Without a way at all, what is told is told of the wanted values.
+        self.search(lane)
+            .unwrap_or_else(|| self.chooser.choose(&self.solutions, lane, 0..0, tip_mm, &mut self.kinematics))
+    }
+
+    /// The first of the samples with which the machine has a way to the lane's pose.
+    fn search(&mut self, lane: usize) -> Option<Choice> {
+        let Self { machine, kinematics, poses, surplus, chooser, .. } = self;
+        let tip_mm = poses.tip(lane);
+        (0..LANES).for_each(|trial| surplus.poses.set(trial, tip_mm, poses.axis(lane)));
+        let axes: Vec<_> = surplus.axes.iter().map(|&axis| &machine.axes[axis]).collect();
+        let samples = surplus::samples(&axes, &surplus.values);
+        for block in samples.chunks(LANES) {
+            let lanes = |axis| std::array::from_fn(|trial| block[trial.min(block.len() - 1)][axis]);
+            let lanes: Vec<Lane> = (0..axes.len()).map(lanes).collect();
+            kinematics.inverse(&surplus.poses, &lanes, machine.tool_length_mm, &mut surplus.solutions);
+            let mut choices =
+                (0..block.len()).map(|trial| chooser.choose(&surplus.solutions, trial, 0..0, tip_mm, kinematics));
+            if let Some(choice) = choices.find(|choice| matches!(choice, Choice::Candidate { .. })) {
+                return Some(choice);
+            }
+        }
+        None
+    }
+
+    /// Where the surplus axes are.
+    fn at_rest(&self) -> Vec<f64> {
+        self.surplus.axes.iter().map(|&axis| self.chooser.at_rest(axis)).collect()
+    }
+
+    /// Where they are wanted.
+    fn wanted(&self) -> Vec<f64> {
+        let wanted = |&axis: &usize| surplus::wanted(self.machine.axes[axis].rule, self.chooser.at_rest(axis));
+        self.surplus.axes.iter().map(wanted).collect()
+    }
+
+    fn jump(&self, before: &[f64]) -> Option<Jump> {
+        let jumps = self.surplus.axes.iter().zip(before);
+        jumps
+            .map(|(&axis, &from)| Jump { axis, from, to: self.chooser.at_rest(axis) })
+            .find(|jump| (jump.to - jump.from).abs() > AT_REST)
+    }
+}
+
+impl Surplus {
+    fn new(kinematics: &dyn Kinematics) -> Self {
+        let axes = kinematics.surplus_axes().to_vec();
+        Self {
+            values: vec![0.0; axes.len()],
+            lanes: vec![[0.0; LANES]; axes.len()],
+            axes,
+            poses: PoseBlock::ZERO,
+            solutions: SolutionBlock::new(kinematics.branch_count(), kinematics.axis_count()),
+        }
+    }
+
+    fn set(&mut self, values: Vec<f64>) {
+        self.lanes.iter_mut().zip(&values).for_each(|(lane, &value)| *lane = [value; LANES]);
+        self.values = values;
     }
 }

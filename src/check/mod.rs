@@ -14,7 +14,9 @@ pub(crate) mod no_way_out;
 pub(crate) mod parallel_rotaries;
 pub(crate) mod preference;
 pub(crate) mod rotary_along_tool;
+mod standing;
 pub(crate) mod supported;
+pub(crate) mod surplus;
 pub(crate) mod travel;
 pub(crate) mod unknown_axis;
 pub(crate) mod written_range;
@@ -26,13 +28,14 @@ use crate::model::source::Location;
 /// A check: everything it finds in a draft.
 type Check = fn(&Draft<'_>) -> Vec<Diagnostic>;
 
-static CHECKS: [Check; 13] = [
+static CHECKS: [Check; 14] = [
     missing::check,
     chain_ends::check,
     unknown_axis::check,
     axis_not_in_chain::check,
     axis_twice_in_chain::check,
     supported::check,
+    surplus::check,
     direction::check,
     parallel_rotaries::check,
     rotary_along_tool::check,

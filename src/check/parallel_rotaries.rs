@@ -1,8 +1,9 @@
 //! Two rotary axes that turn about the same direction.
 
-use super::PARALLEL_SINE;
+use super::{PARALLEL_SINE, standing};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::model::draft::Draft;
+use mach_runtime::machine::Motion;
 
 /// Parallel rotary axes.
 pub(crate) static PARALLEL: Code = Code {
@@ -18,10 +19,12 @@ one: the tool can be turned about that direction, and tilted no other way.
 };
 
 pub(crate) fn check(draft: &Draft<'_>) -> Vec<Diagnostic> {
-    let rotaries: Vec<_> = draft.rotaries().collect();
-    let [first, second] = rotaries[..] else { return Vec::new() };
-    let (Some(n1), Some(n2)) = (first.unit(), second.unit()) else { return Vec::new() };
-    if n1.cross(&n2).norm() > PARALLEL_SINE {
+    let [first, second] = draft.solved(Motion::Rotary)[..] else { return Vec::new() };
+    let are_parallel = |standing: &standing::Standing<'_>| match (standing.of(first), standing.of(second)) {
+        (Some(n1), Some(n2)) => n1.cross(&n2).norm() <= PARALLEL_SINE,
+        _ => false,
+    };
+    if !standing::always(draft, are_parallel) {
         return Vec::new();
     }
     let (first_name, second_name) = (&first.name.value, &second.name.value);
@@ -32,5 +35,5 @@ pub(crate) fn check(draft: &Draft<'_>) -> Vec<Diagnostic> {
             None => diagnostic,
         }
     });
-    vec![diagnostic]
+    vec![standing::noted(draft, diagnostic)]
 }

@@ -1,6 +1,6 @@
 //! A rotary axis, the nearest to the tool, that turns about the tool.
 
-use super::PARALLEL_SINE;
+use super::{PARALLEL_SINE, standing};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::model::draft::{AxisDraft, Draft};
 use mach_runtime::machine::Motion;
@@ -24,22 +24,23 @@ Often the order in the chain is wrong: on a trunnion table, C carries the workpi
 
 pub(crate) fn check(draft: &Draft<'_>) -> Vec<Diagnostic> {
     let joints = draft.links().filter_map(|name| draft.axis(&name.value));
-    let rotary: Vec<(usize, &AxisDraft)> = joints.filter(|(_, axis)| axis.motion == Motion::Rotary).collect();
+    let is_solved = |axis: &AxisDraft| axis.motion == Motion::Rotary && draft.ruled(axis).is_none();
+    let rotary: Vec<(usize, &AxisDraft)> = joints.filter(|(_, axis)| is_solved(axis)).collect();
     let once = |index: usize| rotary.iter().filter(|(other, _)| *other == index).count() == 1;
     let (Some((index, last)), Some(tool)) = (rotary.last(), &draft.tool) else { return Vec::new() };
-    if !once(*index) {
-        return Vec::new();
-    }
-    let (Some(n), Some(t), Some(direction), Some(along)) = (last.unit(), tool.unit(), &last.direction, &tool.along)
-    else {
-        return Vec::new();
+    let (Some(direction), Some(along)) = (&last.direction, &tool.along) else { return Vec::new() };
+    let turns_about_it = |standing: &standing::Standing<'_>| match (standing.of(last), standing.tool()) {
+        (Some(n), Some(t)) => n.cross(&t).norm() <= PARALLEL_SINE,
+        _ => false,
     };
-    if n.cross(&t).norm() > PARALLEL_SINE {
+    // With two linear axes that is how it should be: the rotary turns the point to where they reach it.
+    let is_planar = draft.solved(Motion::Linear).len() == 2;
+    if !once(*index) || is_planar || !standing::always(draft, turns_about_it) {
         return Vec::new();
     }
     let message = format!("{} turns about the tool: it cannot tilt it", last.name.value);
     let diagnostic = super::error(draft, &ALONG_TOOL, message, &direction.at, "along the tool")
         .at(draft.sources.place(&along.at), "the tool")
         .note(format!("{} is the last rotary axis of the chain before the tool", last.name.value));
-    vec![diagnostic]
+    vec![standing::noted(draft, diagnostic)]
 }

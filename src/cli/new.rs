@@ -26,9 +26,14 @@ struct Family {
     text: &'static str,
 }
 
-const FAMILIES: [Family; 7] = [
+const FAMILIES: [Family; 8] = [
     Family { name: "three-axis", what: "X, Y and Z", text: include_str!("families/three-axis.mach") },
     Family { name: "four-axis", what: "X, Y, Z and a rotary table A", text: include_str!("families/four-axis.mach") },
+    Family {
+        name: "turning-centre",
+        what: "X, Z and the spindle C",
+        text: include_str!("families/turning-centre.mach"),
+    },
     Family { name: "trunnion", what: "table C on a cradle A", text: include_str!("families/trunnion.mach") },
     Family { name: "trunnion-bc", what: "table C on a cradle B", text: include_str!("families/trunnion-bc.mach") },
     Family {

@@ -109,6 +109,8 @@ struct Line<'a> {
 #[serde(rename_all = "snake_case")]
 enum Problem {
     OutOfReach { deg: f64 },
+    InsideDeadRadius { mm: f64, radius_mm: f64 },
+    OffPlane { mm: f64 },
     OutOfTravel,
     Singular,
 }
@@ -135,6 +137,10 @@ impl<'a> Line<'a> {
         let (chosen, problem) = match solved.choice {
             Choice::Candidate { index, .. } => (Some(index), None),
             Choice::OutOfReach(angle_rad) => (None, Some(Problem::OutOfReach { deg: angle_rad.to_degrees() })),
+            Choice::InsideDeadRadius { gap_mm: mm, radius_mm } => {
+                (None, Some(Problem::InsideDeadRadius { mm, radius_mm }))
+            }
+            Choice::OffPlane(mm) => (None, Some(Problem::OffPlane { mm })),
             Choice::OutOfTravel(_) => (None, Some(Problem::OutOfTravel)),
             Choice::Singular => (None, Some(Problem::Singular)),
         };

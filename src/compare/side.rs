@@ -27,6 +27,8 @@ pub struct Side<'a> {
 pub enum Refusal {
     /// The direction is out of reach.
     Reach,
+    /// The tip is off the plane of the two linear axes.
+    Plane,
     /// This axis would be beyond its travel.
     Travel(String),
     /// The linear axes do not span space there.
@@ -120,6 +122,7 @@ fn reach(machine: &Machine, words: &[AxisWord], solved: &Solved<'_>) -> Result<R
     let index = match solved.choice {
         Choice::Candidate { index, .. } => index,
         Choice::OutOfReach(_) => return Err(Refusal::Reach),
+        Choice::InsideDeadRadius { .. } | Choice::OffPlane(_) => return Err(Refusal::Plane),
         Choice::Singular => return Err(Refusal::Singular),
         Choice::OutOfTravel(index) => {
             let obstacle = solved.candidates[index].obstacle.expect("a candidate beyond the travel says which axis is");

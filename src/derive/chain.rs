@@ -5,7 +5,7 @@ use crate::model::errors::Line;
 use crate::model::machine::Model;
 use crate::plan::{Graph, Id};
 use mach_runtime::error_table::Component;
-use mach_runtime::machine::Motion;
+use mach_runtime::machine::{Motion, Rule};
 use nalgebra::Vector3;
 
 /// One joint. A primed joint enters with the opposite sense: the element's value is minus the joint's.
@@ -16,6 +16,7 @@ pub(super) struct Element {
     pub(super) motion: Motion,
     pub(super) direction: Vector3<f64>,
     pub(super) point_mm: Vector3<f64>,
+    rule: Rule,
 }
 
 /// The chain and the tool at home.
@@ -25,8 +26,10 @@ pub(super) struct Chain {
     pub(super) gauge_mm: Vector3<f64>,
     /// The errors that depend on positions, in the order of the plan's inputs.
     pub(super) tables: Vec<(usize, Component)>,
-    axis_count: usize,
 }
+
+/// What is known of each element's value (in radians or millimetres), in the order of the chain.
+pub(super) type Values = Vec<Option<Id>>;
 
 impl Chain {
     pub(super) fn of(model: &Model) -> Self {
@@ -39,27 +42,29 @@ impl Chain {
                 motion: model.axes[joint.axis].motion,
                 direction,
                 point_mm,
+                rule: model.axes[joint.axis].rule,
             }
         };
+        assert_eq!(model.chain.len(), model.axes.len(), "a checked chain holds every axis once");
         Self {
             elements: model.chain.iter().enumerate().map(element).collect(),
             tables: model.errors.tables.iter().map(|table| (table.axis, table.component)).collect(),
             tool_axis: model.tool.axis,
             gauge_mm: model.tool.gauge_mm,
-            axis_count: model.axes.len(),
         }
     }
 
-    /// The rotary elements, from the workpiece to the tool.
-    pub(super) fn rotaries(&self) -> impl Iterator<Item = &Element> {
-        self.elements.iter().filter(|element| element.is_rotary())
+    /// Whether there are only two linear axes to be solved for.
+    pub(super) fn is_planar(&self) -> bool {
+        self.elements.iter().filter(|element| element.motion == Motion::Linear && element.is_solved()).count() == 2
     }
 
-    /// The first rotary: with the tool along its direction it can turn freely.
-    pub(super) fn free_axis(&self) -> Option<usize> {
-        let mut rotaries = self.rotaries();
-        let first = rotaries.next()?;
-        rotaries.next().map(|_| first.axis)
+    /// The axes that the pose leaves open, in the order of the model.
+    pub(super) fn surplus_axes(&self) -> Vec<usize> {
+        let surplus = self.elements.iter().filter(|element| element.rule.is_surplus());
+        let mut axes: Vec<usize> = surplus.map(|element| element.axis).collect();
+        axes.sort_unstable();
+        axes
     }
 
     /// The tip with every axis at zero.
@@ -72,29 +77,59 @@ impl Chain {
         })
     }
 
-    /// The angles of the rotary elements for given joints.
-    pub(super) fn angles_from_joints(&self, graph: &mut Graph, joints: &[Id]) -> Vec<Id> {
-        self.rotaries().map(|element| element.signed(graph, joints[element.axis])).collect()
+    /// What an inverse knows: the locked axes and the surplus ones.
+    pub(super) fn given(&self, graph: &mut Graph, joints: &[Id]) -> Values {
+        let value = |element: &Element| match element.rule {
+            Rule::Pose => None,
+            Rule::Locked(value) => {
+                let value = if element.is_rotary() { value.to_radians() } else { value };
+                let value = graph.constant(value);
+                Some(element.signed(graph, value))
+            }
+            Rule::Preferred(_) | Rule::Free => Some(element.signed(graph, joints[element.axis])),
+        };
+        self.elements.iter().map(value).collect()
     }
 
-    /// The joints of all axes, in the order of the model, for the angles of the rotary elements and the values of the
-    /// linear ones.
-    pub(super) fn joint_values(&self, graph: &mut Graph, angles: &[Id], linear: &[Id], joints: &[Id]) -> Vec<Id> {
-        let (mut angles, mut linear) = (angles.iter(), linear.iter());
-        let mut values = joints.to_vec();
-        assert_eq!(values.len(), self.axis_count, "a checked chain holds every axis once");
-        for element in &self.elements {
-            let value = if element.is_rotary() { angles.next() } else { linear.next() };
-            let value = *value.expect("one value for each element");
-            values[element.axis] = element.signed(graph, value);
+    /// What is known when all joints are given but the linear ones that follow from the tip.
+    pub(super) fn known_from_joints(&self, graph: &mut Graph, joints: &[Id]) -> Values {
+        let follows = |element: &Element| !element.is_rotary() && element.is_solved();
+        let value = |element: &Element| (!follows(element)).then(|| element.signed(graph, joints[element.axis]));
+        self.elements.iter().map(value).collect()
+    }
+
+    /// The joints of all axes, in the order of the model, for the values of the elements.
+    pub(super) fn joint_values(&self, graph: &mut Graph, values: &Values, joints: &[Id]) -> Vec<Id> {
+        let mut joints = joints.to_vec();
+        for (element, value) in self.elements.iter().zip(values) {
+            joints[element.axis] = element.signed(graph, value.expect("every element has been solved for"));
         }
-        values
+        joints
     }
 }
 
 impl Element {
+    pub(super) fn is_rotary(&self) -> bool {
+        self.motion == Motion::Rotary
+    }
+
+    /// Whether its value follows from the pose.
+    pub(super) fn is_solved(&self) -> bool {
+        self.rule == Rule::Pose
+    }
+
     /// A joint's value as the element's, or the other way round.
     pub(super) fn signed(&self, graph: &mut Graph, value: Id) -> Id {
         if self.primed { graph.neg(value) } else { value }
     }
+}
+
+/// The values with these in the places that were open, in their order.
+pub(super) fn filled(values: &Values, into: impl Fn(&Element) -> bool, elements: &[Element], with: &[Id]) -> Values {
+    let mut with = with.iter().copied();
+    let fill = |(value, element): (&Option<Id>, &Element)| match value {
+        None if into(element) => Some(with.next().expect("one value for each open place")),
+        known => *known,
+    };
+    values.iter().zip(elements).map(fill).collect()
 }

@@ -1,7 +1,8 @@
 //! What the field calls such a machine.
 
-use crate::model::machine::Model;
-use mach_runtime::machine::Motion;
+use crate::model::machine::{Joint, Model};
+use crate::model::standing;
+use mach_runtime::machine::{Motion, Rule};
 use nalgebra::Vector3;
 use std::f64::consts::FRAC_PI_2;
 
@@ -19,34 +20,91 @@ pub struct Reach {
     pub greatest_rad: f64,
 }
 
-/// The rotary axes of the chain, from the workpiece to the tool, as indices into the model's axes, each with whether it
-/// carries the workpiece.
-pub fn rotaries(model: &Model) -> Vec<(usize, bool)> {
-    let rotary = |(place, joint): (usize, &crate::model::machine::Joint)| {
-        (model.axes[joint.axis].motion == Motion::Rotary).then_some((joint.axis, place < model.bed))
+/// A rotary axis that the pose decides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rotary {
+    /// Its index in the model's axes.
+    pub axis: usize,
+    /// Whether it carries the workpiece.
+    pub carries_workpiece: bool,
+    /// Its direction where the axes stand that the pose does not decide.
+    pub direction: Vector3<f64>,
+}
+
+/// The rotary axes that the pose decides, from the workpiece to the tool.
+pub fn rotaries(model: &Model) -> Vec<Rotary> {
+    let (directions, _) = standing::of_model(model);
+    let rotary = |(place, joint): (usize, &Joint)| {
+        let axis = &model.axes[joint.axis];
+        let rotary = Rotary { axis: joint.axis, carries_workpiece: place < model.bed, direction: directions[place] };
+        (axis.motion == Motion::Rotary && axis.is_solved()).then_some(rotary)
     };
     model.chain.iter().enumerate().filter_map(rotary).collect()
 }
 
-/// The family in the field's words: `table/table, orthogonal`.
+/// The linear axes that the pose decides, by name, from the workpiece to the tool.
+pub fn linears(model: &Model) -> Vec<&str> {
+    let axes = model.chain.iter().map(|joint| &model.axes[joint.axis]);
+    axes.filter(|axis| axis.motion == Motion::Linear && axis.is_solved()).map(|axis| axis.name.as_str()).collect()
+}
+
+/// The tool's direction where the axes stand that the pose does not decide.
+pub fn tool(model: &Model) -> Vector3<f64> {
+    standing::of_model(model).1
+}
+
+/// The rotary axis that the position decides, of a machine with two linear axes.
+pub fn polar(model: &Model) -> Option<Rotary> {
+    let [only] = rotaries(model)[..] else { return None };
+    let turns_about_tool = only.direction.cross(&tool(model)).norm() < standing::ALONG_SINE;
+    (linears(model).len() == 2 && turns_about_tool).then_some(only)
+}
+
+/// The family in the field's words: `5 axes, table/table, orthogonal`.
 pub fn family(model: &Model) -> String {
     let rotaries = rotaries(model);
-    let side = |&(_, carries_workpiece): &(usize, bool)| if carries_workpiece { "table" } else { "head" };
-    match &rotaries[..] {
-        [] => "3 axes".to_owned(),
-        [only] => format!("4 axes, rotary {}", side(only)),
+    let side = |rotary: &Rotary| if rotary.carries_workpiece { "table" } else { "head" };
+    let kind = match &rotaries[..] {
+        [only] if linears(model).len() == 2 => planar(model, only),
+        [] => String::new(),
+        [only] => format!(", rotary {}", side(only)),
         [first, second] => {
             // The field names the head first.
             let sides = if side(first) == side(second) { [side(first); 2] } else { ["head", "table"] };
-            format!("5 axes, {}/{}, {}{}", sides[0], sides[1], squareness(model, first.0, second.0), between(model))
+            format!(", {}/{}, {}{}", sides[0], sides[1], squareness(model, first, second), between(model))
         }
-        _ => unreachable!("a checked chain has at most two rotary axes"),
-    }
+        _ => unreachable!("of a checked machine the pose decides at most two rotary axes"),
+    };
+    format!("{} axes{kind}{}", model.axes.len(), surplus(model))
 }
 
-fn squareness(model: &Model, first: usize, second: usize) -> String {
-    let alpha = angle(&model.axes[first].direction, &model.axes[second].direction);
-    let beta = angle(&model.axes[second].direction, &model.tool.axis);
+/// Two linear axes and a rotary one: `mill-turn, polar X Z C`.
+fn planar(model: &Model, rotary: &Rotary) -> String {
+    let kind = if rotary.carries_workpiece { ", mill-turn" } else { "" };
+    let polar = if polar(model).is_some() { "polar " } else { "" };
+    format!("{kind}, {polar}{} {}", in_order(model, &linears(model)).join(" "), model.axes[rotary.axis].name)
+}
+
+/// In the order of declaration.
+fn in_order<'m>(model: &'m Model, names: &[&str]) -> Vec<&'m str> {
+    model.axes.iter().map(|axis| axis.name.as_str()).filter(|name| names.contains(name)).collect()
+}
+
+/// What the other axes do: `, with a free A and W locked`.
+fn surplus(model: &Model) -> String {
+    let said = model.axes.iter().filter_map(|axis| match axis.rule {
+        Rule::Pose => None,
+        Rule::Locked(_) => Some(format!("{} locked", axis.name)),
+        Rule::Preferred(_) => Some(format!("{} preferred", axis.name)),
+        Rule::Free => Some(format!("a free {}", axis.name)),
+    });
+    let said: Vec<String> = said.collect();
+    if said.is_empty() { String::new() } else { format!(", with {}", said.join(" and ")) }
+}
+
+fn squareness(model: &Model, first: &Rotary, second: &Rotary) -> String {
+    let alpha = angle(&first.direction, &second.direction);
+    let beta = angle(&second.direction, &tool(model));
     let is_square = |angle: f64| (angle - FRAC_PI_2).abs() < SAME_ANGLE_RAD;
     match (is_square(alpha), is_square(beta)) {
         (true, true) => "orthogonal".to_owned(),
@@ -64,23 +122,21 @@ fn between(model: &Model) -> &'static str {
     if contiguous { "" } else { ", with a rotary between linear axes" }
 }
 
-/// The cone of directions that the rotary axes can reach, by their directions alone; `None` without a rotary.
+/// The cone of directions that the rotary axes can reach, by their directions alone; `None` where no rotary turns the tool.
 pub fn reach(model: &Model) -> Option<Reach> {
     match rotaries(model)[..] {
         [] => None,
-        [(only, _)] => {
-            let about = model.line(only).direction;
-            let beta = angle(&about, &model.tool.axis);
-            Some(Reach { about, least_rad: beta, greatest_rad: beta })
+        _ if polar(model).is_some() => None,
+        [only] => {
+            let beta = angle(&only.direction, &tool(model));
+            Some(Reach { about: only.direction, least_rad: beta, greatest_rad: beta })
         }
-        [(first, _), (second, _), ..] => {
-            let about = model.line(first).direction;
-            let second = model.line(second).direction;
-            let alpha = angle(&about, &second);
-            let beta = angle(&second, &model.tool.axis);
+        [first, second, ..] => {
+            let alpha = angle(&first.direction, &second.direction);
+            let beta = angle(&second.direction, &tool(model));
             let sum = alpha + beta;
             let greatest_rad = sum.min(2.0 * std::f64::consts::PI - sum);
-            Some(Reach { about, least_rad: (alpha - beta).abs(), greatest_rad })
+            Some(Reach { about: first.direction, least_rad: (alpha - beta).abs(), greatest_rad })
         }
     }
 }

@@ -2,42 +2,68 @@
 //!
 //! Walk the chain from the workpiece to the tool; each joint turns about or moves along its line in the machine frame with
 //! every axis at zero, and the product of these exponentials gives the tool in the workpiece frame. The inverse is
-//! closed-form: the spherical triangle of the two rotary directions and the tool for the angles (`orientation`), and
-//! what is linear in the linear joints for those (`position`).
+//! closed-form: the spherical triangle of the two rotary directions and the tool for the angles (`orientation`), or,
+//! where the position decides the only one, the two angles that bring the tip to the linear axes (`polar`); and what is
+//! linear in the linear joints for those (`position`). Locked joints are constants in all of this, surplus ones inputs.
 
 mod actual;
 mod chain;
 pub mod family;
 mod forward;
 mod orientation;
+mod polar;
 mod position;
 pub mod prove;
 mod symbolic;
 
 use crate::model::machine::Model;
-use crate::plan::{Branch, Graph, Plan};
-use chain::{Chain, Element};
+use crate::plan::{Branch, Graph, Id, Inputs, Plan};
+use chain::{Chain, Values};
 use mach_runtime::machine::Motion;
+use orientation::Orientation;
+
+/// The angles of the rotaries that are solved for, and how far off a solution the pose is.
+struct Angles {
+    /// For each branch the angle of each solved rotary element, from the workpiece to the tool.
+    branches: Vec<Vec<Id>>,
+    /// Zero inside the reach, else minus the angle to it.
+    reach: Id,
+    /// Zero where the first of them is free.
+    pole_sine: Id,
+    /// The axis that is free there.
+    free_axis: Option<usize>,
+    /// How far the tip is from what the linear axes reach, where that is known with the angles.
+    gap: Option<Id>,
+}
 
 /// Derives the plan of a checked machine.
 pub fn derive(model: &Model) -> Plan {
     let chain = Chain::of(model);
     let mut graph = Graph::default();
     let inputs = Plan::inputs(&mut graph, model.axes.len(), model.errors.tables.len());
-    let orientation = orientation::solve(&mut graph, &chain, inputs.axis);
-    let branches = orientation.branches.iter().map(|angles| branch(&mut graph, &chain, &inputs, angles)).collect();
-    let given = chain.angles_from_joints(&mut graph, &inputs.joints);
-    let placed = position::solve(&mut graph, &chain, inputs.tip, inputs.tool_length, &given);
+    let given = chain.given(&mut graph, &inputs.joints);
+    let orientation = Orientation::of(&mut graph, &chain, &given, inputs.axis);
+    let angles = match orientation.rotary_along_tool(&graph) {
+        Some(rotary) if chain.is_planar() => polar::solve(&mut graph, &chain, &inputs, &given, rotary, &orientation),
+        _ => orientation.solve(&mut graph),
+    };
+    let solve = |angles: &Vec<Id>| {
+        let known = chain::filled(&given, chain::Element::is_rotary, &chain.elements, angles);
+        solved(&mut graph, &chain, &inputs, &known)
+    };
+    let (branches, gaps): (Vec<_>, Vec<_>) = angles.branches.iter().map(solve).unzip();
+    let known = chain.known_from_joints(&mut graph, &inputs.joints);
+    let (position, _) = solved(&mut graph, &chain, &inputs, &known);
     let (tip, axis) = forward::pose(&mut graph, &chain, &inputs);
     let actual = actual::pose(&mut graph, &chain, &inputs);
     Plan {
-        branches,
-        reach: orientation.reach,
-        pole_sine: orientation.pole_sine,
-        gap: graph.constant(0.0),
-        surplus: Vec::new(),
-        free_axis: chain.free_axis(),
-        position: chain.joint_values(&mut graph, &given, &placed, &inputs.joints),
+        branches: branches.into_iter().map(|joints| Branch { joints }).collect(),
+        reach: angles.reach,
+        pole_sine: angles.pole_sine,
+        gap: angles.gap.unwrap_or(gaps[0]),
+        surplus: chain.surplus_axes(),
+        free_axis: angles.free_axis,
+        position,
         tip,
         axis,
         actual,
@@ -47,14 +73,9 @@ pub fn derive(model: &Model) -> Plan {
     }
 }
 
-/// One candidate: the joints of all axes for these angles of the rotary elements.
-fn branch(graph: &mut Graph, chain: &Chain, inputs: &crate::plan::Inputs, angles: &[crate::plan::Id]) -> Branch {
-    let placed = position::solve(graph, chain, inputs.tip, inputs.tool_length, angles);
-    Branch { joints: chain.joint_values(graph, angles, &placed, &inputs.joints) }
-}
-
-impl Element {
-    fn is_rotary(&self) -> bool {
-        self.motion == Motion::Rotary
-    }
+/// The joints of all axes with these elements known and the linear ones solved for; and the gap that is left.
+fn solved(graph: &mut Graph, chain: &Chain, inputs: &Inputs, known: &Values) -> (Vec<Id>, Id) {
+    let placed = position::solve(graph, chain, inputs.tip, inputs.tool_length, known);
+    let values = chain::filled(known, |_| true, &chain.elements, &placed.linear);
+    (chain.joint_values(graph, &values, &inputs.joints), placed.gap)
 }

@@ -1,9 +1,11 @@
 //! The proof that comes with every machine: seeded random poses through inverse and forward.
 
-use crate::model::machine::Model;
+use super::family;
+use crate::model::machine::{Axis, Model};
 use crate::plan::{Interpreter, Plan};
 use mach_runtime::diagnostic::{Code, Diagnostic};
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, PoseBlock, SolutionBlock};
+use mach_runtime::machine::{Motion, Rule};
 use mach_runtime::vector::{angle_rad, norm, sub};
 
 /// E0601.
@@ -39,20 +41,34 @@ pub struct Proof {
 
 impl Proof {
     /// Whether the derivation is what it should be.
-    pub fn holds(&self) -> bool {
-        self.tip_mm <= TIP_BOUND_MM && self.axis_rad <= AXIS_BOUND_RAD
+    pub fn holds(&self, model: &Model) -> bool {
+        self.tip_mm <= TIP_BOUND_MM && self.axis_rad <= AXIS_BOUND_RAD + wobble_rad(model)
     }
 }
 
-/// Takes joints at random, their pose, and every candidate for it back to a pose.
-pub fn prove(plan: &Plan, tool_length_mm: f64) -> Proof {
+/// Where the position decides the only rotary, nothing is left to tilt the tool: if the two are not quite along each other,
+/// the tool of one solution leans as much to one side as that of the other to the other side.
+fn wobble_rad(model: &Model) -> f64 {
+    let lean = |rotary: family::Rotary| {
+        let (n, t) = (rotary.direction, family::tool(model));
+        libm::atan2(n.cross(&t).norm(), n.dot(&t).abs())
+    };
+    2.0 * family::polar(model).map_or(0.0, lean)
+}
+
+/// Takes joints at random (but for the locked ones), their pose, and every candidate for it back to a pose.
+pub fn prove(model: &Model, plan: &Plan) -> Proof {
     let mut machine = Interpreter::new(plan);
     let mut random = SplitMix(0x6d61_6368);
     let mut proof = Proof { poses: 0, tip_mm: 0.0, axis_rad: 0.0 };
     while proof.poses < POSES {
-        let joints: JointBlock =
-            plan.rotary.iter().map(|&rotary| random.lane(if rotary { 180.0 } else { 500.0 })).collect();
-        close(&mut machine, &joints, tool_length_mm, &mut proof);
+        let joint = |axis: &Axis| match (axis.rule, axis.motion) {
+            (Rule::Locked(value), _) => [value; LANES],
+            (_, Motion::Rotary) => random.lane(180.0),
+            (_, Motion::Linear) => random.lane(500.0),
+        };
+        let joints: JointBlock = model.axes.iter().map(joint).collect();
+        close(&mut machine, &joints, model.tool.length_mm, &mut proof);
     }
     proof
 }
@@ -67,7 +83,7 @@ pub fn check(model: &Model, proof: &Proof) -> Option<Diagnostic> {
         let error = Diagnostic::error(&NOT_PROVED, message());
         error.note("is an offset kilometres long? if none is, this is a defect of machc: please report it")
     };
-    (!proof.holds()).then(error)
+    (!proof.holds(model)).then(error)
 }
 
 /// Forward, inverse, and forward again.

@@ -10,6 +10,12 @@ pub(super) fn constant(graph: &mut Graph, vector: &Vector3<f64>) -> Vector {
     std::array::from_fn(|i| graph.constant(vector[i]))
 }
 
+/// The numbers that three nodes stand for, if all of them are numbers.
+pub(super) fn as_constant(graph: &Graph, v: Vector) -> Option<Vector3<f64>> {
+    let [x, y, z] = v.map(|component| graph.as_constant(component));
+    Some(Vector3::new(x?, y?, z?))
+}
+
 pub(super) fn add(graph: &mut Graph, a: Vector, b: Vector) -> Vector {
     std::array::from_fn(|i| graph.add(a[i], b[i]))
 }

@@ -9,7 +9,7 @@ use crate::emit::c;
 use crate::model::{arithmetic, describe, evaluate, family, field, function, library, load, parameter};
 
 /// The codes of the model and of the checks; those of the syntax are listed there.
-static CODES: [&Code; 36] = [
+static CODES: [&Code; 39] = [
     &load::CANNOT_READ,
     &load::USE_CYCLE,
     &library::DEFINED_TWICE,
@@ -30,6 +30,9 @@ static CODES: [&Code; 36] = [
     &check::linear_span::NO_SPACE,
     &check::travel::UPSIDE_DOWN,
     &check::supported::NOT_SUPPORTED,
+    &check::supported::SURPLUS,
+    &check::surplus::NOT_SURPLUS,
+    &check::surplus::OUT_OF_TRAVEL,
     &evaluate::UNKNOWN_NAME,
     &function::UNKNOWN_FUNCTION,
     &field::WRONG_UNIT,

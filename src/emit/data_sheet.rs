@@ -3,11 +3,13 @@
 use super::equations::number;
 use super::spelling::Spelling;
 use super::transformation::{self, Inverse};
-use crate::derive::family;
+use crate::derive::family::{self, Rotary};
 use crate::derive::prove::Proof;
 use crate::model::machine::{Axis, Model};
-use crate::plan::Plan;
-use mach_runtime::machine::{Motion, Written};
+use crate::model::standing;
+use crate::plan::{Interpreter, Plan};
+use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock, SolutionBlock};
+use mach_runtime::machine::{Motion, Rule, Written};
 use nalgebra::Vector3;
 use std::fmt::Write;
 
@@ -19,7 +21,7 @@ pub fn data_sheet(model: &Model, plan: &Plan, proof: &Proof) -> String {
         ("constants", constants(model)),
         ("forward transformation", transformation::forward(model, plan, Spelling::Plain).concat()),
         ("inverse transformation", inverse(model, plan)),
-        ("reach", reach(model)),
+        ("reach", reach(model, plan)),
         ("proof", proved(proof)),
     ] {
         section(&mut sheet, title, lines);
@@ -68,7 +70,13 @@ pub(super) fn axis(axis: &Axis) -> String {
         Written::Unwound => String::new(),
         Written::Wrapped { from_deg } => format!(", written {} .. {}", number(from_deg), number(from_deg + 360.0)),
     };
-    format!("{line}, travel {travel}{written}")
+    let rule = match axis.rule {
+        Rule::Pose => String::new(),
+        Rule::Locked(value) => format!(", locked at {} {unit}", number(value)),
+        Rule::Preferred(value) => format!(", preferred at {} {unit}", number(value)),
+        Rule::Free => ", free".to_owned(),
+    };
+    format!("{line}, travel {travel}{written}{rule}")
 }
 
 pub(super) fn constants(model: &Model) -> Vec<String> {
@@ -81,11 +89,12 @@ pub(super) fn constants(model: &Model) -> Vec<String> {
 /// The joints from tip and tool axis: the rotary ones for each branch, then the linear ones for either.
 fn inverse(model: &Model, plan: &Plan) -> Vec<String> {
     let Inverse { shared, solutions, linear } = transformation::inverse(model, plan, Spelling::Plain);
+    let mut lines = given(model);
+    lines.extend(shared);
     if let [only] = &solutions[..] {
-        return [shared, only.clone(), linear].concat();
+        return [lines, only.clone(), linear].concat();
     }
     let indented = |lines: Vec<String>| lines.into_iter().map(|line| format!("  {line}"));
-    let mut lines = shared;
     for (index, solution) in solutions.into_iter().enumerate() {
         lines.push(format!("solution {}", index + 1));
         lines.extend(indented(solution));
@@ -95,9 +104,44 @@ fn inverse(model: &Model, plan: &Plan) -> Vec<String> {
     lines
 }
 
-pub(super) fn reach(model: &Model) -> Vec<String> {
+/// What the inverse takes besides the pose.
+pub(super) fn given(model: &Model) -> Vec<String> {
+    let surplus = model.axes.iter().filter(|axis| axis.rule.is_surplus());
+    let names: Vec<&str> = surplus.map(|axis| axis.name.as_str()).collect();
+    if names.is_empty() { Vec::new() } else { vec![format!("for any {}", names.join(", "))] }
+}
+
+pub(super) fn reach(model: &Model, plan: &Plan) -> Vec<String> {
+    let turns = |axis: &&Axis| axis.motion == Motion::Rotary && axis.rule.is_surplus();
+    let stands = |axis: &Axis| format!("{} at {} deg", axis.name, number(standing::value(axis)));
+    let surplus: Vec<String> = model.axes.iter().filter(turns).map(stands).collect();
+    let standing = format!("with {}:", surplus.join(" and "));
+    let lines = if let Some(rotary) = family::polar(model) { polar(model, plan, &rotary) } else { cone(model) };
+    (!surplus.is_empty()).then_some(standing).into_iter().chain(lines).collect()
+}
+
+/// The tips that X Z C reaches.
+fn polar(model: &Model, plan: &Plan, rotary: &Rotary) -> Vec<String> {
+    let (axis, mut poses) = (&model.axes[rotary.axis], PoseBlock::ZERO);
+    poses.set(0, model.line(rotary.axis).point_mm.into(), family::tool(model).into());
+    let mut machine = Interpreter::new(plan);
+    let mut solutions = SolutionBlock::new(machine.branch_count(), machine.axis_count());
+    let surplus = vec![[0.0; LANES]; machine.surplus_axes().len()];
+    machine.inverse(&poses, &surplus, model.tool.length_mm, &mut solutions);
+    let dead_mm = (solutions.gap_mm[0] * 1e9).round() / 1e9;
+    let only = format!("tool axis {} only", vector(&family::tool(model)));
+    let at_centre = match (dead_mm == 0.0, rotary.carries_workpiece) {
+        (true, _) => format!("singular at the axis of {0}: {0} is free", axis.name),
+        (false, true) => format!("dead radius {} mm about the axis of {}", number(dead_mm), axis.name),
+        (false, false) => return vec![only],
+    };
+    vec![only, at_centre]
+}
+
+/// The directions of the tool.
+fn cone(model: &Model) -> Vec<String> {
     let Some(reach) = family::reach(model) else {
-        return vec![format!("tool axis {} only", vector(&model.tool.axis))];
+        return vec![format!("tool axis {} only", vector(&family::tool(model)))];
     };
     let degrees = |angle_rad: f64| number((angle_rad.to_degrees() * 1e9).round() / 1e9);
     let (least, greatest) = (degrees(reach.least_rad), degrees(reach.greatest_rad));
@@ -106,7 +150,10 @@ pub(super) fn reach(model: &Model) -> Vec<String> {
         (a, b) if a == b => format!("directions at {a} deg from {}", vector(&reach.about)),
         _ => format!("directions from {least} to {greatest} deg from {}", vector(&reach.about)),
     }];
-    let first = family::rotaries(model)[0].0;
+    if let [one, other] = family::linears(model)[..] {
+        lines.push(format!("tips in the plane of {one} and {other} only"));
+    }
+    let first = family::rotaries(model)[0].axis;
     let poles = family::poles(model).into_iter();
     lines.extend(poles.map(|pole| format!("singular at {}: {} is free", vector(&pole), model.axes[first].name)));
     lines

@@ -2,13 +2,14 @@
 
 use super::listing::{Function, Input, Output, Remark};
 use crate::compile::Compiled;
+use crate::derive::family;
 use crate::plan::{AXIS_INPUT, Id, JOINT_INPUT, TIP_INPUT, TOOL_LENGTH_INPUT};
 use mach_runtime::error_table::ErrorTable;
 use mach_runtime::machine::Motion;
 
 /// The indices of the axes whose joints a position is given, and of those it gives.
 pub fn given_and_solved(compiled: &Compiled) -> (Vec<usize>, Vec<usize>) {
-    let is_given = |&axis: &usize| compiled.plan.rotary[axis] || compiled.plan.surplus.contains(&axis);
+    let is_given = |&axis: &usize| compiled.plan.rotary[axis] || !compiled.model.axes[axis].is_solved();
     (0..compiled.model.axes.len()).partition(is_given)
 }
 
@@ -53,6 +54,10 @@ pub fn inverse(compiled: &Compiled) -> Function {
 
 fn pole(compiled: &Compiled) -> String {
     match compiled.plan.free_axis {
+        Some(axis) if family::polar(&compiled.model).is_some() => {
+            let name = &compiled.model.axes[axis].name;
+            format!("The distance of the tip from the axis of {name} in metres: at zero, {name} is free.")
+        }
         Some(axis) => {
             let name = &compiled.model.axes[axis].name;
             format!("The sine of the angle between the tool and the axis of {name}: at zero, {name} is free.")

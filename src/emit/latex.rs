@@ -24,7 +24,7 @@ pub fn equations(model: &Model, plan: &Plan) -> String {
     write!(page, "\n{SYMBOLS}").expect("writing to a string does not fail");
     transformation::forward(model, plan, Spelling::Latex).iter().for_each(|lines| display(&mut page, lines));
     inverse(&mut page, transformation::inverse(model, plan, Spelling::Latex));
-    list(&mut page, "Reach", data_sheet::reach(model));
+    list(&mut page, "Reach", data_sheet::reach(model, plan));
     page
 }
 

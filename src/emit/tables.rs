@@ -12,6 +12,7 @@ pub fn machine(model: &Model) -> Machine {
         name: axis.name.clone(),
         motion: axis.motion,
         travel: axis.travel,
+        rule: axis.rule,
         written: axis.written,
         zero: at_zero[index],
         length_share: length_shares[index],
@@ -22,6 +23,7 @@ pub fn machine(model: &Model) -> Machine {
         axes: model.axes.iter().enumerate().map(axis).collect(),
         branch: model.branch.clone(),
         axis_tolerance_rad: model.axis_tolerance_rad,
+        plane_tolerance_mm: model.plane_tolerance_mm,
         chord_tolerance_mm: model.chord_tolerance_mm,
         unknown_records: model.unknown_records,
         zero_mm: model.zero_mm.into(),
@@ -30,11 +32,16 @@ pub fn machine(model: &Model) -> Machine {
     }
 }
 
-/// The values of the linear axes that move the tool by this vector with the rotary axes at zero; zero for the rotary ones.
+/// The values of the linear axes that move the tool by this vector with the rotary axes at zero, zero for the others; two
+/// move it by as much of it as lies in their plane.
 fn linear_values(model: &Model, vector: &Vector3<f64>) -> Vec<f64> {
-    let linear: Vec<_> = model.chain.iter().filter(|joint| model.axes[joint.axis].motion == Motion::Linear).collect();
-    let columns: Vec<_> =
+    let is_linear = |axis: &crate::model::machine::Axis| axis.motion == Motion::Linear && axis.is_solved();
+    let linear: Vec<_> = model.chain.iter().filter(|joint| is_linear(&model.axes[joint.axis])).collect();
+    let mut columns: Vec<_> =
         linear.iter().map(|joint| model.axes[joint.axis].direction * if joint.primed { -1.0 } else { 1.0 }).collect();
+    if let [first, second] = columns[..] {
+        columns.push(first.cross(&second));
+    }
     let matrix = Matrix3::from_columns(&columns);
     let solution = matrix.try_inverse().expect("the linear axes of a checked machine span space") * vector;
     let mut values = vec![0.0; model.axes.len()];

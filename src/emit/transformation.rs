@@ -28,7 +28,8 @@ pub(super) fn forward(model: &Model, plan: &Plan, spelling: Spelling) -> [Vec<St
 pub(super) fn inverse(model: &Model, plan: &Plan, spelling: Spelling) -> Inverse {
     let of_kind = |ids: &[Id], motion: Motion| -> Vec<(&str, Id)> {
         let all = model.axes.iter().zip(ids);
-        all.filter(|(axis, _)| axis.motion == motion).map(|(axis, &id)| (axis.name.as_str(), id)).collect()
+        let solved = all.filter(|(axis, _)| axis.motion == motion && axis.is_solved());
+        solved.map(|(axis, &id)| (axis.name.as_str(), id)).collect()
     };
     let branches: Vec<_> = plan.branches.iter().map(|branch| of_kind(&branch.joints, Motion::Rotary)).collect();
     let linear = equations(&mut notation(model, plan, spelling), &of_kind(&plan.position, Motion::Linear));

@@ -5,7 +5,7 @@ use super::errors::Errors;
 use super::machine::{Axis, Joint, Model, Tool};
 use super::source::Located;
 use crate::syntax::tree::{Link, Name, Preference as Said};
-use mach_runtime::machine::{BranchPolicy, Preference, Strictness, Travel, Written};
+use mach_runtime::machine::{BranchPolicy, Preference, Rule, Strictness, Travel, Written};
 use nalgebra::Vector3;
 
 /// The tool axis may be off by this much where the machine says nothing.
@@ -13,6 +13,10 @@ const AXIS_TOLERANCE_DEG: f64 = 0.0001;
 
 /// A segment may leave its arc by this much where the machine says nothing.
 const CHORD_TOLERANCE_MM: f64 = 0.01;
+
+/// The tip may be off the plane of two linear axes by this much where the machine says nothing: the last digit of most
+/// programs.
+const PLANE_TOLERANCE_MM: f64 = 0.001;
 
 const CHECKED: &str = "a draft without findings is complete";
 
@@ -36,6 +40,7 @@ pub(crate) fn build(draft: &Draft<'_>) -> Model {
         errors: Errors::default(),
         zero_mm: draft.zero_mm.unwrap_or_else(Vector3::zeros),
         axis_tolerance_rad: draft.axis_tolerance_deg.unwrap_or(AXIS_TOLERANCE_DEG).to_radians(),
+        plane_tolerance_mm: draft.plane_tolerance_mm.unwrap_or(PLANE_TOLERANCE_MM),
         chord_tolerance_mm: draft.chord_tolerance_mm.unwrap_or(CHORD_TOLERANCE_MM),
         unknown_records: draft.unknown_records.unwrap_or(Strictness::Error),
         branch: BranchPolicy {
@@ -57,6 +62,7 @@ fn build_axis(draft: &Draft<'_>, axis: &AxisDraft) -> Axis {
         direction: axis.unit().expect(CHECKED),
         point_mm: axis.point_mm.expect(CHECKED),
         travel: travel.unwrap_or(Travel::UNLIMITED),
+        rule: draft.ruled(axis).map_or(Rule::Pose, |ruled| ruled.rule.expect(CHECKED)),
         rapid_per_min: axis.rapid_per_min,
         written: range_deg.map_or(Written::Unwound, |range| Written::Wrapped { from_deg: range.value[0] }),
     }

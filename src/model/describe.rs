@@ -1,6 +1,6 @@
 //! Statements to a draft: every expression evaluated, every field in its unit.
 
-use super::draft::{AxisDraft, Draft, ToolDraft, WrittenDraft};
+use super::draft::{AxisDraft, Draft, RuleDraft, ToolDraft, WrittenDraft};
 use super::evaluate::Evaluator;
 use super::family::Controller;
 use super::field::{Field, Sign};
@@ -12,7 +12,7 @@ use crate::syntax::tree::{
     AxisClause, BranchStatement, ControllerStatement, Expression, MachineStatement, Name, Preference, Spanned,
     ToleranceKind,
 };
-use mach_runtime::machine::{Motion, Travel};
+use mach_runtime::machine::{Motion, Rule, Travel};
 use nalgebra::Vector3;
 
 /// A linear axis that turns.
@@ -44,6 +44,7 @@ pub(crate) fn describe<'a>(
     for statement in statements {
         statement_into(&mut evaluator, &mut draft, statement);
     }
+    draft.ruled = ruled(&mut evaluator, &draft, statements);
     if let Some(controller) = controller {
         // A controller's definition stands alone: its expressions know no machine's parameters.
         let mut alone = Evaluator::new(library.sources);
@@ -74,10 +75,12 @@ fn empty<'a>(sources: &'a SourceMap, machine: &Entry<'_, MachineStatement>) -> D
         zero_mm: None,
         axis_tolerance_deg: None,
         chord_tolerance_mm: None,
+        plane_tolerance_mm: None,
         unknown_records: None,
         start: Vec::new(),
         then: Vec::new(),
         reposition: None,
+        ruled: Vec::new(),
         written: Vec::new(),
     }
 }
@@ -116,6 +119,9 @@ fn statement_into(evaluator: &mut Evaluator<'_>, draft: &mut Draft<'_>, statemen
             ToleranceKind::Chord => {
                 draft.chord_tolerance_mm = evaluator.number(source, value, Field::Length, Sign::Positive);
             }
+            ToleranceKind::Plane => {
+                draft.plane_tolerance_mm = evaluator.number(source, value, Field::Length, Sign::Positive);
+            }
         },
         MachineStatement::Records(said) => draft.unknown_records = Some(said.value),
         MachineStatement::Branch(body) => {
@@ -132,7 +138,35 @@ fn branch_into(draft: &mut Draft<'_>, statement: &BranchStatement, at: &Location
         BranchStatement::Start(preferences) => draft.start = located(preferences),
         BranchStatement::Then(preferences) => draft.then = located(preferences),
         BranchStatement::Reposition(said) => draft.reposition = Some(said.value),
+        // Their values are measured as the axes' travel is: once these are known.
+        BranchStatement::Lock { .. } | BranchStatement::Prefer { .. } | BranchStatement::Free(_) => {}
     }
+}
+
+/// What is said of axes that the pose does not decide.
+fn ruled(evaluator: &mut Evaluator<'_>, draft: &Draft<'_>, statements: &[Located<MachineStatement>]) -> Vec<RuleDraft> {
+    let bodies = statements.iter().filter_map(|statement| match &statement.value {
+        MachineStatement::Branch(body) => Some((body, &statement.at)),
+        _ => None,
+    });
+    let said = bodies.flat_map(|(body, at)| body.statements.iter().map(move |said| (&said.node, at.with(&said.span))));
+    said.filter_map(|(said, at)| rule(evaluator, draft, said, at)).collect()
+}
+
+fn rule(evaluator: &mut Evaluator<'_>, draft: &Draft<'_>, said: &BranchStatement, at: Location) -> Option<RuleDraft> {
+    let (axis, value, rule): (_, _, fn(f64) -> Rule) = match said {
+        BranchStatement::Lock { axis, value } => (axis, Some(value), Rule::Locked),
+        BranchStatement::Prefer { axis, value } => (axis, Some(value), Rule::Preferred),
+        BranchStatement::Free(axis) => (axis, None, |_| Rule::Free),
+        _ => return None,
+    };
+    let value = match (value, draft.axis(&axis.value)) {
+        (Some(value), Some((_, axis))) => evaluator.number(at.source, value, Field::travel(axis.motion), Sign::Any),
+        // That there is no such axis is found later.
+        _ => Some(0.0),
+    };
+    let axis = Located { value: axis.clone(), at: at.with(&axis.span) };
+    Some(RuleDraft { axis, rule: value.map(rule), at })
 }
 
 fn tool(

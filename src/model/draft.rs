@@ -2,7 +2,7 @@
 
 use super::source::{Located, Location, SourceMap};
 use crate::syntax::tree::{Link, Name, Preference};
-use mach_runtime::machine::{Motion, Strictness};
+use mach_runtime::machine::{Motion, Rule, Strictness};
 use nalgebra::Vector3;
 
 /// A machine in which anything may still be missing or wrong. `None` means not said, or said wrongly and reported.
@@ -20,10 +20,13 @@ pub(crate) struct Draft<'a> {
     pub(crate) zero_mm: Option<Vector3<f64>>,
     pub(crate) axis_tolerance_deg: Option<f64>,
     pub(crate) chord_tolerance_mm: Option<f64>,
+    pub(crate) plane_tolerance_mm: Option<f64>,
     pub(crate) unknown_records: Option<Strictness>,
     pub(crate) start: Vec<Located<Preference>>,
     pub(crate) then: Vec<Located<Preference>>,
     pub(crate) reposition: Option<Strictness>,
+    /// What is said of axes that the pose does not decide.
+    pub(crate) ruled: Vec<RuleDraft>,
     /// What the machine and its controller say of written ranges.
     pub(crate) written: Vec<WrittenDraft>,
 }
@@ -52,6 +55,15 @@ pub(crate) struct ToolDraft {
     pub(crate) length_mm: Option<f64>,
 }
 
+/// What decides where an axis stands, other than the pose.
+pub(crate) struct RuleDraft {
+    pub(crate) axis: Located<Name>,
+    /// `None` where the value could not be evaluated.
+    pub(crate) rule: Option<Rule>,
+    /// The whole statement.
+    pub(crate) at: Location,
+}
+
 /// How an axis is to be written.
 pub(crate) struct WrittenDraft {
     pub(crate) axis: Located<Name>,
@@ -70,6 +82,16 @@ impl Draft<'_> {
     /// The rotary axes in the order of declaration.
     pub(crate) fn rotaries(&self) -> impl Iterator<Item = &AxisDraft> {
         self.axes.iter().filter(|axis| axis.motion == Motion::Rotary)
+    }
+
+    /// What is said of an axis that the pose does not decide.
+    pub(crate) fn ruled(&self, axis: &AxisDraft) -> Option<&RuleDraft> {
+        self.ruled.iter().rfind(|ruled| ruled.axis.value.value == axis.name.value)
+    }
+
+    /// The axes of this motion that the pose decides, in the order of declaration.
+    pub(crate) fn solved(&self, motion: Motion) -> Vec<&AxisDraft> {
+        self.axes.iter().filter(|axis| axis.motion == motion && self.ruled(axis).is_none()).collect()
     }
 
     /// The axes that the chain names, from the workpiece to the tool.

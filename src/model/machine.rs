@@ -1,8 +1,8 @@
 //! A checked machine. Nothing in it can be wrong any more: directions are unit vectors, every axis stands in the chain
-//! once, the linear axes span space, and the dialect prints every axis.
+//! once, the axes that the pose decides can be solved for, and the dialect prints every axis.
 
 use super::errors::Errors;
-use mach_runtime::machine::{BranchPolicy, Motion, Strictness, Travel, Written};
+use mach_runtime::machine::{BranchPolicy, Motion, Rule, Strictness, Travel, Written};
 use mach_runtime::nc::dialect::Dialect;
 use nalgebra::Vector3;
 
@@ -29,6 +29,8 @@ pub struct Model {
     pub zero_mm: Vector3<f64>,
     /// How far the tool axis may be from the wanted one, in radians.
     pub axis_tolerance_rad: f64,
+    /// How far the tip may be off the plane of two linear axes, in millimetres.
+    pub plane_tolerance_mm: f64,
     /// How far a segment may leave an arc, in millimetres.
     pub chord_tolerance_mm: f64,
     /// What an unknown CL record does.
@@ -52,10 +54,19 @@ pub struct Axis {
     pub point_mm: Vector3<f64>,
     /// How far it can go: millimetres or degrees.
     pub travel: Travel,
+    /// What decides where it stands.
+    pub rule: Rule,
     /// Rapid traverse in mm/min or deg/min.
     pub rapid_per_min: Option<f64>,
     /// How a rotary value is written.
     pub written: Written,
+}
+
+impl Axis {
+    /// Whether the pose decides where it stands.
+    pub fn is_solved(&self) -> bool {
+        self.rule == Rule::Pose
+    }
 }
 
 /// One joint of the chain.

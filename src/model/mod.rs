@@ -22,4 +22,5 @@ pub(crate) mod parameter;
 pub(crate) mod quantity;
 mod scalar;
 pub mod source;
+pub(crate) mod standing;
 mod subject;

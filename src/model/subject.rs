@@ -31,6 +31,7 @@ impl Statement for MachineStatement {
             Self::Tolerance { kind, .. } => match kind.value {
                 ToleranceKind::Axis => "tolerance axis".to_owned(),
                 ToleranceKind::Chord => "tolerance chord".to_owned(),
+                ToleranceKind::Plane => "tolerance plane".to_owned(),
             },
             Self::Records(_) => "records".to_owned(),
             Self::Branch(body) => return body.statements.iter().map(|stated| branch_subject(&stated.node)).collect(),
@@ -60,12 +61,14 @@ impl Statement for MachineStatement {
 }
 
 fn branch_subject(statement: &BranchStatement) -> String {
-    let subject = match statement {
-        BranchStatement::Start(_) => "branch start",
-        BranchStatement::Then(_) => "branch then",
-        BranchStatement::Reposition(_) => "branch reposition",
-    };
-    subject.to_owned()
+    match statement {
+        BranchStatement::Start(_) => "branch start".to_owned(),
+        BranchStatement::Then(_) => "branch then".to_owned(),
+        BranchStatement::Reposition(_) => "branch reposition".to_owned(),
+        BranchStatement::Lock { axis, .. } | BranchStatement::Prefer { axis, .. } | BranchStatement::Free(axis) => {
+            format!("branch {}", axis.value)
+        }
+    }
 }
 
 impl Statement for ControllerStatement {

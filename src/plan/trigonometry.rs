@@ -49,10 +49,22 @@ impl Graph {
                 let (sine, cosine) = self.sine_and_cosine(a);
                 (self.neg(sine), cosine)
             }
-            Op::Add(a, b) if self.as_constant(a).is_some() => self.sum_formula(a, b, false),
-            Op::Sub(a, b) if self.as_constant(a).is_some() => self.sum_formula(a, b, true),
+            Op::Add(a, b) if self.as_constant(a).is_some() || self.are_known(a, b) => self.sum_formula(a, b, false),
+            Op::Sub(a, b) if self.as_constant(a).is_some() || self.are_known(a, b) => self.sum_formula(a, b, true),
             _ => (self.intern(Op::Sin(angle)), self.intern(Op::Cos(angle))),
         }
+    }
+
+    /// Whether sine and cosine of both angles are at hand without a trigonometric function.
+    fn are_known(&self, a: Id, b: Id) -> bool {
+        let is_known = |angle: Id| match self.op(angle) {
+            _ if self.angles.contains_key(&angle) => true,
+            Op::Constant(_) => true,
+            Op::Neg(a) => self.are_known(a, a),
+            Op::Add(a, b) | Op::Sub(a, b) => self.are_known(a, b),
+            _ => false,
+        };
+        is_known(a) && is_known(b)
     }
 
     /// Sine and cosine of `a + b` or `a - b`.

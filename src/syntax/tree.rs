@@ -136,7 +136,7 @@ pub enum MachineStatement {
     },
     /// `zero POINT`: the program zero in the machine frame with every axis at zero.
     Zero(Expression),
-    /// `tolerance axis EXPRESSION` or `tolerance chord EXPRESSION`.
+    /// `tolerance axis EXPRESSION`, `tolerance chord EXPRESSION` or `tolerance plane EXPRESSION`.
     Tolerance {
         /// Which tolerance.
         kind: Spanned<ToleranceKind>,
@@ -192,6 +192,8 @@ pub enum ToleranceKind {
     Axis,
     /// Between an arc and the segments it is written as.
     Chord,
+    /// Between a tip and the plane of two linear axes.
+    Plane,
 }
 
 /// A statement of a `branch` block.
@@ -203,6 +205,22 @@ pub enum BranchStatement {
     Then(Vec<Spanned<Preference>>),
     /// `reposition error` or `reposition warn`.
     Reposition(Spanned<Strictness>),
+    /// `lock W 0 mm`: the axis always stands there.
+    Lock {
+        /// A surplus axis.
+        axis: Name,
+        /// Where.
+        value: Expression,
+    },
+    /// `prefer A 0 deg`: the axis stands there wherever it can.
+    Prefer {
+        /// A surplus axis.
+        axis: Name,
+        /// Where.
+        value: Expression,
+    },
+    /// `free A`: the axis stays where it is while it can.
+    Free(Name),
 }
 
 /// One way to prefer a candidate.

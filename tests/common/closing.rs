@@ -1,7 +1,7 @@
 //! Closing the loop: joints to a pose, the pose to every candidate, each candidate back to the pose.
 
 use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock, SolutionBlock};
-use mach_runtime::machine::Motion;
+use mach_runtime::machine::{Motion, Rule};
 use mach_runtime::vector::{angle_rad, norm, sub};
 use machc::model::machine::{Axis, Model};
 use machc::plan::{Interpreter, Plan};
@@ -12,17 +12,34 @@ const AXIS_BOUND_RAD: f64 = 1e-12;
 /// Joints spread over the block by a low-discrepancy sequence.
 fn joints(model: &Model, block: usize) -> Vec<[f64; LANES]> {
     let spread = |axis: usize, lane: usize| {
-        let step = [0.754_877_666, 0.569_840_290, 0.618_033_988, 0.414_213_562, 0.732_050_807][axis];
+        let steps =
+            [0.754_877_666, 0.569_840_290, 0.618_033_988, 0.414_213_562, 0.732_050_807, 0.236_067_977, 0.645_751_311];
+        let step = steps[axis];
         let n = (block * LANES + lane + 1) as f64;
         2.0 * (n * step).fract() - 1.0
     };
     let bound = |axis: &Axis| if axis.motion == Motion::Rotary { 180.0 } else { 500.0 };
-    model.axes.iter().enumerate().map(|(i, axis)| std::array::from_fn(|l| bound(axis) * spread(i, l))).collect()
+    let joint = |(i, axis): (usize, &Axis)| match axis.rule {
+        Rule::Locked(value) => [value; LANES],
+        _ => std::array::from_fn(|l| bound(axis) * spread(i, l)),
+    };
+    model.axes.iter().enumerate().map(joint).collect()
 }
 
-/// Whether a rotary between the linear axes stands next to where they no longer span space.
-fn far(candidate: &[[f64; LANES]], lane: usize) -> bool {
-    candidate.iter().any(|joint| joint[lane].abs() > 1e4)
+/// Whether a rotary between the linear axes stands where they no longer span space, or next to it.
+fn far(model: &Model, candidate: &[[f64; LANES]], lane: usize) -> bool {
+    let joint = |(axis, joint): (&Axis, &[f64; LANES])| {
+        axis.motion == Motion::Linear && (joint[lane].is_nan() || joint[lane].abs() > 1e4)
+    };
+    has_rotary_between(model) && model.axes.iter().zip(candidate).any(joint)
+}
+
+/// Whether a rotary stands between linear axes.
+fn has_rotary_between(model: &Model) -> bool {
+    let is_linear: Vec<bool> =
+        model.chain.iter().map(|joint| model.axes[joint.axis].motion == Motion::Linear).collect();
+    let (first, last) = (is_linear.iter().position(|&linear| linear), is_linear.iter().rposition(|&linear| linear));
+    first.zip(last).is_some_and(|(first, last)| is_linear[first..=last].contains(&false))
 }
 
 /// Takes the poses through the inverse and back. With the joints that the poses were made from, one candidate must be
@@ -42,15 +59,16 @@ pub(crate) fn close_the_loop(
     let mut found = [asked.is_none(); LANES];
     for candidate in &solutions.branches {
         machine.forward(candidate, model.tool.length_mm, &mut reached);
-        for lane in (0..LANES).filter(|&lane| !far(candidate, lane)) {
+        for lane in (0..LANES).filter(|&lane| !far(model, candidate, lane)) {
             require(solutions.reach_rad[lane] > -1e-7, || format!("reach {}", solutions.reach_rad[lane]))?;
+            require(solutions.gap_mm[lane] <= TIP_BOUND_MM, || format!("gap {}", solutions.gap_mm[lane]))?;
             let tip = norm(sub(reached.tip(lane), wanted.tip(lane)));
             let axis = angle_rad(reached.axis(lane), wanted.axis(lane));
             require(tip <= TIP_BOUND_MM, || format!("tip {tip:e} mm"))?;
             require(axis <= AXIS_BOUND_RAD, || format!("axis {axis:e} rad"))?;
             found[lane] |= asked.is_some_and(|asked| same_rotaries(model, asked, candidate, lane));
         }
-        (0..LANES).filter(|&lane| far(candidate, lane)).for_each(|lane| found[lane] = true);
+        (0..LANES).filter(|&lane| far(model, candidate, lane)).for_each(|lane| found[lane] = true);
     }
     require(found.iter().all(|&found| found), || "a branch was missed".to_owned())
 }

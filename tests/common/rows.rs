@@ -42,6 +42,6 @@ impl Sources for Templates<'_> {
 pub(crate) fn all() -> BTreeMap<String, Vec<Row>> {
     let rows = fs::read_to_string(machine::root().join("tests/linuxcnc/rows.json")).expect("readable");
     let machines: BTreeMap<String, Vec<Row>> = serde_json::from_str(&rows).expect("rows of numbers");
-    assert_eq!(machines.len(), 7);
+    assert_eq!(machines.len(), 9);
     machines
 }

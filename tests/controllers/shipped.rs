@@ -2,7 +2,7 @@
 
 use crate::describe::dialect;
 use mach_runtime::cl::event::{Approach, Feed};
-use mach_runtime::machine::{Axis, Motion, Travel, Written};
+use mach_runtime::machine::{Axis, Motion, Rule, Travel, Written};
 use mach_runtime::nc::dialect::{Dialect, Trigger};
 use mach_runtime::nc::writer::{Values, Writer};
 
@@ -16,6 +16,7 @@ fn axes() -> Vec<Axis> {
         travel: Travel::UNLIMITED,
         written: Written::Unwound,
         zero: 0.0,
+        rule: Rule::Pose,
         length_share: 0.0,
         rapid_per_min: None,
     };

@@ -98,7 +98,7 @@ fn machine_statement() -> impl Strategy<Value = MachineStatement> {
         1 => (expression(), option::of(expression()), option::of(expression()))
             .prop_map(|(along, at, length)| S::Tool { along, at, length }),
         1 => expression().prop_map(S::Zero),
-        1 => (select(vec![ToleranceKind::Axis, ToleranceKind::Chord]), expression())
+        1 => (select(vec![ToleranceKind::Axis, ToleranceKind::Chord, ToleranceKind::Plane]), expression())
             .prop_map(|(kind, value)| S::Tolerance { kind: at(kind), value }),
         1 => strictness().prop_map(S::Records),
         1 => branch,
@@ -138,6 +138,9 @@ fn branch_statement() -> impl Strategy<Value = BranchStatement> {
     prop_oneof![
         vec(preference(), 1..4).prop_map(BranchStatement::Start),
         vec(preference(), 1..4).prop_map(BranchStatement::Then),
+        (axis(), expression()).prop_map(|(axis, value)| BranchStatement::Lock { axis, value }),
+        (axis(), expression()).prop_map(|(axis, value)| BranchStatement::Prefer { axis, value }),
+        axis().prop_map(BranchStatement::Free),
         strictness().prop_map(BranchStatement::Reposition),
     ]
 }

@@ -1,6 +1,6 @@
 //! One solution of the inverse, with whole turns chosen and the travel looked at.
 
-use crate::machine::{Axis, Motion, Travel};
+use crate::machine::{Axis, Motion, Rule, Travel};
 
 /// How far beyond its travel an axis may stand, in mm or degrees, before it counts as beyond: far above what rounding
 /// does to a joint on its limit, far below what any program prints.
@@ -41,15 +41,21 @@ impl Candidate {
         Self { joints: vec![0.0; axes], obstacle: None, rotary_travel_deg: 0.0, ideal_travel_deg: 0.0 }
     }
 
-    /// Turns the rotaries to where they are nearest to the previous position (to zero at the start) within their travel,
-    /// and looks for obstacles.
+    /// Turns the rotaries that the pose decides to where they are nearest to the previous position (to zero at the start)
+    /// within their travel, puts the locked axes where they stand, and looks for obstacles.
     pub(super) fn settle(&mut self, axes: &[Axis], previous: Option<&[f64]>) {
         (self.obstacle, self.rotary_travel_deg, self.ideal_travel_deg) = (None, 0.0, 0.0);
         let Self { joints, obstacle, .. } = self;
         for (index, (axis, joint)) in axes.iter().zip(joints).enumerate() {
+            if let Rule::Locked(value) = axis.rule {
+                *joint = value;
+            }
             if axis.motion == Motion::Rotary {
                 let reference = previous.map_or(0.0, |previous| previous[index]);
-                let (ideal, within) = turns(*joint, reference, axis.travel);
+                let (ideal, within) = match axis.rule {
+                    Rule::Pose => turns(*joint, reference, axis.travel),
+                    _ => (*joint, *joint),
+                };
                 self.ideal_travel_deg += (ideal - reference).abs();
                 self.rotary_travel_deg += (within - reference).abs();
                 *joint = within;

@@ -2,6 +2,7 @@
 
 mod candidate;
 mod preference;
+pub(crate) mod surplus;
 
 pub use candidate::{Candidate, Obstacle};
 
@@ -12,6 +13,9 @@ use std::ops::Range;
 
 /// Below this sine of the angle to the pole the first rotary is free: a few hundred roundings of a unit vector, so that
 /// the axis is exact to 1e-12 rad whatever the free axis does.
+///
+/// Where the position decides the rotary, this is a tip within 1e-10 mm of its axis: what rounding does to a point some
+/// hundred metres away.
 const POLE_SINE: f64 = 1e-13;
 
 /// What was chosen at a point.
@@ -26,6 +30,15 @@ pub enum Choice {
     },
     /// The direction is this far (in radians) from any that the machine can reach.
     OutOfReach(f64),
+    /// The tip is inside the dead radius of the rotary that the position decides: no angle brings it to the linear axes.
+    InsideDeadRadius {
+        /// By how much, in millimetres.
+        gap_mm: f64,
+        /// The dead radius there, in millimetres.
+        radius_mm: f64,
+    },
+    /// The tip is this far (in millimetres) off the plane of the only two linear axes.
+    OffPlane(f64),
     /// Every candidate is beyond the travel; this is the one that is least so.
     OutOfTravel(usize),
     /// The linear axes do not span space there.
@@ -59,6 +72,12 @@ impl<'m> Chooser<'m> {
         self.previous.is_some()
     }
 
+    /// Where an axis is, in millimetres or degrees: at the start as near to zero as it can.
+    pub fn at_rest(&self, axis: usize) -> f64 {
+        let travel = self.machine.axes[axis].travel;
+        self.previous.as_ref().map_or(0.0_f64.clamp(travel.lower, travel.upper), |previous| previous[axis])
+    }
+
     /// Chooses among the candidates of one lane, and goes there. At the pole the free axis goes where the first of the
     /// lanes `ahead` that is off the pole wants it; it stays where none is, so that an empty range keeps it still.
     pub fn choose(
@@ -72,6 +91,10 @@ impl<'m> Chooser<'m> {
         if self.is_out_of_reach(solutions, lane) {
             self.fill(solutions, lane);
             return Choice::OutOfReach(-solutions.reach_rad[lane]);
+        }
+        if solutions.gap_mm[lane] > self.machine.plane_tolerance_mm {
+            self.fill(solutions, lane);
+            return out_of_plane(solutions, lane, kinematics.free_axis().is_some());
         }
         match kinematics.free_axis().filter(|_| solutions.pole_sine[lane] < POLE_SINE) {
             Some(free) => {
@@ -110,7 +133,7 @@ impl<'m> Chooser<'m> {
     /// Where the first lane off the pole wants the axis that is free until then.
     fn wanted_ahead(&mut self, solutions: &SolutionBlock, mut ahead: Range<usize>, free: usize) -> Option<f64> {
         let lane = ahead.find(|&lane| solutions.pole_sine[lane] >= POLE_SINE)?;
-        if self.is_out_of_reach(solutions, lane) {
+        if self.is_out_of_reach(solutions, lane) || solutions.gap_mm[lane] > self.machine.plane_tolerance_mm {
             return None;
         }
         self.fill(solutions, lane);
@@ -118,12 +141,6 @@ impl<'m> Chooser<'m> {
             Choice::Candidate { index, .. } => Some(self.candidates[index].joints[free]),
             _ => None,
         }
-    }
-
-    /// Where an axis is: at the start as near to zero as it can.
-    fn at_rest(&self, axis: usize) -> f64 {
-        let travel = self.machine.axes[axis].travel;
-        self.previous.as_ref().map_or(0.0_f64.clamp(travel.lower, travel.upper), |previous| previous[axis])
     }
 
     /// Puts the axis that is free at the pole to a value; the linear axes follow.
@@ -154,5 +171,16 @@ impl<'m> Chooser<'m> {
     fn least_beyond(&self) -> usize {
         let beyond = |index: &usize| self.candidates[*index].obstacle.map_or(0.0, |obstacle| obstacle.beyond);
         (0..self.candidates.len()).min_by(|a, b| beyond(a).total_cmp(&beyond(b))).expect("every plan has a branch")
+    }
+}
+
+/// A tip that the linear axes do not reach. Only a rotary that the position decides is free anywhere on such a machine.
+fn out_of_plane(solutions: &SolutionBlock, lane: usize, turns_to_the_plane: bool) -> Choice {
+    let gap_mm = solutions.gap_mm[lane];
+    if turns_to_the_plane {
+        // `pole_sine` is the distance from the axis in metres.
+        Choice::InsideDeadRadius { gap_mm, radius_mm: 1000.0 * solutions.pole_sine[lane] + gap_mm }
+    } else {
+        Choice::OffPlane(gap_mm)
     }
 }

@@ -3,8 +3,8 @@
 use super::{Job, severity};
 use crate::branch::{Candidate, Choice, Obstacle};
 use crate::diagnostic::{Code, Diagnostic, Place, Severity};
-use crate::machine::{Axis, Motion, Travel};
-use crate::path::Solved;
+use crate::machine::{Axis, Motion, Rule, Travel};
+use crate::path::{Jump, Solved};
 
 /// E1101.
 pub static OUT_OF_REACH: Code = Code {
@@ -41,7 +41,8 @@ pub static REPOSITION: Code = Code {
     title: "the travel forces a reposition in the middle of a cut",
     explanation: "\
 To go on within the travel of its axes the machine would have to turn back by whole turns, or change to the other
-solution of its rotary axes, between two points of a cut. The tool would be in the workpiece all the while.
+solution of its rotary axes, between two points of a cut. The tool would be in the workpiece all the while. So it would
+while an axis moves that the pose leaves open (`prefer`, `free`), because the machine has no way on where it stands.
 
 Start the operation at another angle (`branch { start … }`), split it where the tool may retract, or, if the motion is
 known to be harmless, let it pass with a warning:
@@ -66,6 +67,32 @@ pub static TOO_MANY_ERRORS: Code = Code {
     id: "E1105",
     title: "too many errors",
     explanation: "After 20 errors in one CL file the post gives up. Mend the first ones and post again.",
+};
+
+/// E1107.
+pub static INSIDE_DEAD_RADIUS: Code = Code {
+    id: "E1107",
+    title: "the point is inside the dead radius",
+    explanation: "\
+The machine has two linear axes, and a rotary axis makes up for the third: it turns the point into the plane in which the
+linear axes move the tool. Where that plane does not hold the axis of the rotary (because the tool is set beside it, or
+the ways are skewed), no angle brings points near the centre into it. `machc show MACHINE` tells the radius.
+
+Set the tool over the centre of the rotary axis, or use a machine with a Y axis.",
+};
+
+/// E1108.
+pub static OFF_PLANE: Code = Code {
+    id: "E1108",
+    title: "the point is off the plane of the two linear axes",
+    explanation: "\
+The machine has two linear axes. With the rotary axis turned so that the tool has the wanted direction, the point does
+not lie in the plane in which these two move the tip: it would take a third one, a Y axis.
+
+On a turning centre with the driven tool along X, the tool axis of every point must pass through the axis of the spindle.
+If the CL is only rounded too coarsely, widen the tolerance:
+
+    tolerance plane 0.01 mm",
 };
 
 /// W1103.
@@ -99,6 +126,16 @@ pub(super) fn of(job: Job<'_>, solved: &Solved<'_>) -> Option<Diagnostic> {
             .at(place, format!("{:.3} deg out of reach", angle_rad.to_degrees()))
             .note(direction(solved)),
         ),
+        Choice::InsideDeadRadius { gap_mm, radius_mm } => {
+            let message = format!("`{}` has two linear axes, and no angle brings the point to them", job.machine.name);
+            let label = format!("{gap_mm:.3} mm inside the dead radius of {radius_mm:.3} mm");
+            Some(Diagnostic::error(&INSIDE_DEAD_RADIUS, message).at(place, label))
+        }
+        Choice::OffPlane(gap_mm) => {
+            let message = format!("`{}` has two linear axes, and the point is off their plane", job.machine.name);
+            let label = format!("off the plane by {gap_mm:.3} mm");
+            Some(Diagnostic::error(&OFF_PLANE, message).at(place, label).note("it needs a Y axis"))
+        }
         Choice::OutOfTravel(index) => Some(out_of_travel(job, solved, index, place)),
         Choice::Singular => {
             let message = format!("the linear axes of `{}` cannot hold the tip at this angle", job.machine.name);
@@ -127,12 +164,18 @@ fn out_of_travel(job: Job<'_>, solved: &Solved<'_>, index: usize, place: Place) 
 
 /// A point that can be posted, but only by a reposition in the cut.
 pub(super) fn of_step(job: Job<'_>, solved: &Solved<'_>, chosen: &Candidate) -> Diagnostic {
-    let text = "the travel forces a reposition in the middle of a cut";
+    let text = match solved.jump {
+        Some(_) => "a surplus axis jumps in the middle of a cut",
+        None => "the travel forces a reposition in the middle of a cut",
+    };
     let diagnostic = match severity(job.machine.branch.reposition) {
         Severity::Error => Diagnostic::error(&REPOSITION, text),
         Severity::Warning => Diagnostic::warning(&REPOSITION_WARNING, text),
     };
     let place = Place::line(job.file, solved.point.line);
+    if let Some(jump) = solved.jump {
+        return jumped(job, diagnostic.at(place, ""), jump);
+    }
     let label = format!("the rotary axes turn by {:.3} deg to get here", chosen.rotary_travel_deg);
     let diagnostic = diagnostic.at(place, label);
     let blocked = solved.candidates.iter().find_map(|candidate| Some((candidate, candidate.obstacle?)));
@@ -143,6 +186,17 @@ pub(super) fn of_step(job: Job<'_>, solved: &Solved<'_>, chosen: &Candidate) -> 
         }
         None => diagnostic.note("it turns back by whole turns to stay within its travel"),
     }
+}
+
+/// A surplus axis moves.
+fn jumped(job: Job<'_>, diagnostic: Diagnostic, Jump { axis, from, to }: Jump) -> Diagnostic {
+    let axis = &job.machine.axes[axis];
+    let way = format!("{} goes from {} to {}", axis.name, amount(axis, from), amount(axis, to));
+    let why = match axis.rule {
+        Rule::Preferred(value) if value == to => "back to where the machine file prefers it".to_owned(),
+        _ => format!("the machine has no way to this point with {} at {}", axis.name, amount(axis, from)),
+    };
+    diagnostic.note(way).note(why)
 }
 
 fn direction(solved: &Solved<'_>) -> String {

@@ -1,6 +1,6 @@
 //! A five-axis table and a Fanuc-like dialect, as tables.
 
-use mach_runtime::machine::{Axis, Motion, Travel, Written};
+use mach_runtime::machine::{Axis, Motion, Rule, Travel, Written};
 use mach_runtime::nc::dialect::{
     Block, Codes, Dialect, LengthUnit, Line, Picture, Piece, Point, Sequence, Trigger, Value, Word,
 };
@@ -12,6 +12,7 @@ pub(crate) fn axis(name: &str, motion: Motion) -> Axis {
         travel: Travel::UNLIMITED,
         written: Written::Unwound,
         zero: 0.0,
+        rule: Rule::Pose,
         length_share: 0.0,
         rapid_per_min: None,
     }

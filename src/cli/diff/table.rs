@@ -19,6 +19,7 @@ pub(super) fn comparison(comparison: &Comparison, files: [&str; 2], cl: &str) ->
 pub(super) fn reason(refusal: &Refusal) -> String {
     match refusal {
         Refusal::Reach => "the direction is out of reach".to_owned(),
+        Refusal::Plane => "the point is off the plane of the two linear axes".to_owned(),
         Refusal::Travel(axis) => format!("{axis} beyond its travel"),
         Refusal::Singular => "the linear axes cannot hold the tip there".to_owned(),
         Refusal::Word(axis) => format!("the word {axis} is too narrow"),

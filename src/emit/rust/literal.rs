@@ -1,7 +1,7 @@
 //! The runtime's tables as Rust expressions.
 
 use mach_runtime::error_table::{Component, ErrorTable};
-use mach_runtime::machine::{Axis, BranchPolicy, Machine, Motion, Preference, Strictness, Travel, Written};
+use mach_runtime::machine::{Axis, BranchPolicy, Machine, Motion, Preference, Rule, Strictness, Travel, Written};
 use mach_runtime::nc::dialect::{
     Block, Codes, Dialect, LengthUnit, Line, Picture, Piece, Point, Sequence, Trigger, Value, Word,
 };
@@ -64,9 +64,10 @@ macro_rules! plain {
 
 structs! {
     Machine {
-        name, axes, branch, axis_tolerance_rad, chord_tolerance_mm, unknown_records, zero_mm, tool_length_mm, errors,
+        name, axes, branch, axis_tolerance_rad, plane_tolerance_mm, chord_tolerance_mm, unknown_records, zero_mm,
+        tool_length_mm, errors,
     }
-    Axis { name, motion, travel, written, zero, length_share, rapid_per_min }
+    Axis { name, motion, travel, rule, written, zero, length_share, rapid_per_min }
     Travel { lower, upper }
     ErrorTable { axis, component, rows }
     BranchPolicy { start, then, reposition }
@@ -129,6 +130,17 @@ impl Literal for Written {
         match self {
             Self::Unwound => "Written::Unwound".to_owned(),
             Self::Wrapped { from_deg } => format!("Written::Wrapped {{ from_deg: {} }}", from_deg.literal()),
+        }
+    }
+}
+
+impl Literal for Rule {
+    fn literal(&self) -> String {
+        match self {
+            Self::Pose => "Rule::Pose".to_owned(),
+            Self::Locked(value) => format!("Rule::Locked({})", value.literal()),
+            Self::Preferred(value) => format!("Rule::Preferred({})", value.literal()),
+            Self::Free => "Rule::Free".to_owned(),
         }
     }
 }

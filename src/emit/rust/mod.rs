@@ -82,7 +82,7 @@ impl Kinematics for Solver {{
             for (lanes, joints) in out.branches.iter_mut().zip(found.joints) {{
                 for (lanes, joint) in lanes.iter_mut().zip(joints) {{
                     lanes[lane] = joint;
-                }}
+                }}{surplus_copies}
             }}
             out.reach_rad[lane] = found.reach;
             out.pole_sine[lane] = found.pole_sine;
@@ -109,6 +109,7 @@ impl Kinematics for Solver {{
         surplus_axes = surplus_axes(surplus),
         surplus_lanes = if surplus.is_empty() { "_" } else { "surplus" },
         surplus_joints = if surplus.is_empty() { "" } else { ", std::array::from_fn(|joint| surplus[joint][lane])" },
+        surplus_copies = surplus_copies(surplus),
         solved = joints(&solved),
         given = joints(&given),
         actual = if compiled.plan.errors > 0 { FORWARD_ACTUAL } else { "" },
@@ -121,6 +122,13 @@ fn surplus_axes(surplus: &[usize]) -> String {
         return String::new();
     }
     format!("    fn surplus_axes(&self) -> &[usize] {{ &{surplus:?} }}\n\n")
+}
+
+/// The surplus joints as they were given: radians and back would round.
+fn surplus_copies(surplus: &[usize]) -> String {
+    let copy =
+        |(place, axis): (usize, &usize)| format!("\n                lanes[{axis}][lane] = surplus[{place}][lane];");
+    surplus.iter().enumerate().map(copy).collect()
 }
 
 /// The method of a machine with error tables.

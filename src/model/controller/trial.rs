@@ -4,7 +4,7 @@ use super::lowering::Lowering;
 use crate::syntax::tree::{ControllerStatement, Span};
 use mach_runtime::cl::event::{Approach, Feed};
 use mach_runtime::diagnostic::Code;
-use mach_runtime::machine::{Axis, Motion, Travel, Written};
+use mach_runtime::machine::{Axis, Motion, Rule, Travel, Written};
 use mach_runtime::nc::dialect::{Dialect, LengthUnit, Trigger};
 use mach_runtime::nc::writer::Writer;
 use mach_runtime::readback::ReadBack;
@@ -67,6 +67,7 @@ fn any_axis(name: &str) -> Axis {
         travel: Travel::UNLIMITED,
         written: Written::Unwound,
         zero: 0.0,
+        rule: Rule::Pose,
         length_share: 0.0,
         rapid_per_min: None,
     }

@@ -35,7 +35,7 @@ Every statement begins with its keyword. Which statements there may be depends o
 
 - at the top of a file: `use`, `machine`, `controller`
 - in a machine: `let`, `chain`, `linear`, `rotary`, `tool`, `zero`, `tolerance`, `records`, `branch`, `controller`
-- in a `branch` block: `start`, `then`, `reposition`
+- in a `branch` block: `start`, `then`, `reposition`, `lock`, `prefer`, `free`
 - in a controller: `units`, `extension`, `comment`, `sequence`, `offset`, `retract`, `code`, `format`, `word`, `write`, `modal`,
   `on`
 - in an `on` block: a text in quotes, or `bare` and a text",

@@ -50,7 +50,9 @@ impl<'t> Builder<'_, 't> {
             },
             Rule::records_statement => MachineStatement::Records(strictness(&parts.next())),
             Rule::branch_statement => {
-                MachineStatement::Branch(self.body(parts.next(), Rule::in_branch, |_, pair| Some(branch(pair))))
+                MachineStatement::Branch(
+                    self.body(parts.next(), Rule::in_branch, |builder, pair| Some(builder.branch(pair))),
+                )
             }
             Rule::controller_choice => MachineStatement::Controller {
                 name: parts.name(),
@@ -58,6 +60,21 @@ impl<'t> Builder<'_, 't> {
             },
             rule => unreachable!("{rule:?} is no statement of a machine in the grammar"),
         })
+    }
+
+    fn branch(&mut self, pair: Pair<'t>) -> BranchStatement {
+        let rule = pair.as_rule();
+        let mut parts = parts(pair);
+        match rule {
+            Rule::start_statement => BranchStatement::Start(parts.rest().map(preference).collect()),
+            Rule::then_statement => BranchStatement::Then(parts.rest().map(preference).collect()),
+            Rule::lock_statement => BranchStatement::Lock { axis: parts.name(), value: self.expression(parts.next()) },
+            Rule::prefer_statement => {
+                BranchStatement::Prefer { axis: parts.name(), value: self.expression(parts.next()) }
+            }
+            Rule::free_statement => BranchStatement::Free(parts.name()),
+            _ => BranchStatement::Reposition(strictness(&parts.next())),
+        }
     }
 
     /// The expression of a clause that holds nothing else.
@@ -108,23 +125,17 @@ fn link(pair: Pair<'_>) -> Link {
 }
 
 fn tolerance_kind(pair: &Pair<'_>) -> Spanned<ToleranceKind> {
-    let value = if pair.as_rule() == Rule::axis_kind { ToleranceKind::Axis } else { ToleranceKind::Chord };
+    let value = match pair.as_rule() {
+        Rule::axis_kind => ToleranceKind::Axis,
+        Rule::chord_kind => ToleranceKind::Chord,
+        _ => ToleranceKind::Plane,
+    };
     Spanned { value, span: grammar::extent(pair) }
 }
 
 fn strictness(pair: &Pair<'_>) -> Spanned<Strictness> {
     let value = if pair.as_rule() == Rule::error_kind { Strictness::Error } else { Strictness::Warn };
     Spanned { value, span: grammar::extent(pair) }
-}
-
-fn branch(pair: Pair<'_>) -> BranchStatement {
-    let rule = pair.as_rule();
-    let mut parts = parts(pair);
-    match rule {
-        Rule::start_statement => BranchStatement::Start(parts.rest().map(preference).collect()),
-        Rule::then_statement => BranchStatement::Then(parts.rest().map(preference).collect()),
-        _ => BranchStatement::Reposition(strictness(&parts.next())),
-    }
 }
 
 fn preference(pair: Pair<'_>) -> Spanned<Preference> {

@@ -54,6 +54,7 @@ fn line(statement: &MachineStatement) -> Line {
             let kind = match kind.value {
                 ToleranceKind::Axis => "axis",
                 ToleranceKind::Chord => "chord",
+                ToleranceKind::Plane => "plane",
             };
             format!("tolerance {kind} {}", expression(value))
         }
@@ -103,13 +104,15 @@ fn word(strictness: &Spanned<Strictness>) -> &'static str {
 }
 
 fn branch(statement: &BranchStatement) -> Line {
-    let row = |keyword: &str, preferences: &[Spanned<Preference>]| {
-        let preferences: Vec<String> = preferences.iter().map(preference).collect();
-        Line::row(Table::Branch, vec![keyword.to_owned(), preferences.join(", ")])
-    };
+    let row = |keyword: &str, rest: String| Line::row(Table::Branch, vec![keyword.to_owned(), rest]);
+    let listed =
+        |preferences: &[Spanned<Preference>]| preferences.iter().map(preference).collect::<Vec<_>>().join(", ");
     match statement {
-        BranchStatement::Start(preferences) => row("start", preferences),
-        BranchStatement::Then(preferences) => row("then", preferences),
+        BranchStatement::Start(preferences) => row("start", listed(preferences)),
+        BranchStatement::Then(preferences) => row("then", listed(preferences)),
+        BranchStatement::Lock { axis, value } => row("lock", format!("{} {}", axis.value, expression(value))),
+        BranchStatement::Prefer { axis, value } => row("prefer", format!("{} {}", axis.value, expression(value))),
+        BranchStatement::Free(axis) => row("free", axis.value.clone()),
         BranchStatement::Reposition(strictness) => Line::plain(format!("reposition {}", word(strictness))),
     }
 }
