@@ -7,10 +7,9 @@ mod code;
 
 use super::expression::number;
 use super::function::{axes, forward, position};
-use super::listing::{Function, divides};
+use super::listing::divides;
 use crate::compile::Compiled;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::model::machine::Axis;
 use code::Body;
 use mach_runtime::machine::Motion;
 
@@ -95,11 +94,6 @@ static struct pins {
 /// The length of the tool in force.
 const TOOL_LENGTH: &str = "*pins->tool_length";
 
-/// How an angle in degrees is read.
-fn radians(degrees: &str) -> String {
-    format!("{degrees} * DEGREE")
-}
-
 /// What is to be added to a coordinate of the tip for the world's, or with the signs exchanged the other way round.
 fn length_share(compiled: &Compiled, coordinate: usize, plus: char, minus: char) -> String {
     let share = compiled.model.tool.axis[coordinate];
@@ -112,15 +106,12 @@ fn length_share(compiled: &Compiled, coordinate: usize, plus: char, minus: char)
 }
 
 fn forward_code(compiled: &Compiled) -> String {
-    let whole = forward(compiled);
-    let outputs = whole.outputs.into_iter().take(3).collect();
-    let tip_only = Function { outputs, order: vec![0, 1, 2], inputs: whole.inputs };
+    let mut tip_only = forward(compiled);
+    tip_only.outputs.truncate(3);
+    tip_only.order.retain(|&output| output < 3);
     let axes = &compiled.model.axes;
-    let joint = |(index, axis): (usize, &Axis)| match axis.motion {
-        Motion::Linear => format!("joints[{index}]"),
-        Motion::Rotary => radians(&format!("joints[{index}]")),
-    };
-    let given: Vec<String> = axes.iter().enumerate().map(joint).chain([TOOL_LENGTH.to_owned()]).collect();
+    let joints = (0..axes.len()).map(|joint| format!("joints[{joint}]"));
+    let given: Vec<String> = joints.chain([TOOL_LENGTH.to_owned()]).collect();
     let Body { text, outputs } = Body::of(&compiled.plan.graph, &tip_only, &given);
     let tip =
         (0..3).map(|i| format!("tran.{} = {}{}", ["x", "y", "z"][i], outputs[i], length_share(compiled, i, '+', '-')));
@@ -152,7 +143,7 @@ fn inverse_code(compiled: &Compiled) -> String {
     let [linear, rotary] = [Motion::Linear, Motion::Rotary].map(|motion| axes(compiled, motion));
     let angle = |axis: usize| format!("world->{}", compiled.model.axes[axis].name.to_ascii_lowercase());
     let tip = (0..3).map(|i| format!("world->tran.{}{}", ["x", "y", "z"][i], length_share(compiled, i, '-', '+')));
-    let angles = rotary.iter().map(|&axis| radians(&angle(axis)));
+    let angles = rotary.iter().map(|&axis| angle(axis));
     let given: Vec<String> = tip.chain([TOOL_LENGTH.to_owned()]).chain(angles).collect();
     let Body { text, outputs } = Body::of(&compiled.plan.graph, &function, &given);
     let solved = linear.iter().zip(&outputs).map(|(axis, name)| format!("    joints[{axis}] = {name};\n"));

@@ -7,7 +7,7 @@ mod literal;
 use super::function::{axes, forward, inverse, position};
 use super::tables;
 use crate::compile::Compiled;
-use code::{Argument, Code};
+use code::Code;
 use layout::laid_out;
 use literal::Literal;
 use mach_runtime::machine::Motion;
@@ -110,12 +110,7 @@ fn called(functions: &[(&str, &str)], code: &str) -> String {
 }
 
 fn inverse_code(compiled: &Compiled) -> String {
-    let arguments = [
-        Argument::Array("tip", vec![(0, false), (1, false), (2, false)]),
-        Argument::Array("axis", vec![(3, false), (4, false), (5, false)]),
-        Argument::Number(6),
-    ];
-    let Code { arguments, body, outputs } = Code::of(&compiled.plan.graph, &inverse(compiled), &arguments);
+    let Code { arguments, body, outputs } = Code::of(&compiled.plan.graph, &inverse(compiled));
     let (count, branches) = (compiled.model.axes.len(), compiled.plan.branches.len());
     let solutions: Vec<String> =
         outputs[..count * branches].chunks(count).map(|joints| array(&in_degrees(compiled, joints))).collect();
@@ -151,14 +146,7 @@ fn field(name: &str, value: &str) -> String {
 }
 
 fn position_code(compiled: &Compiled) -> String {
-    let rotary = axes(compiled, Motion::Rotary);
-    let angles = (0..rotary.len()).map(|place| (4 + place, true)).collect();
-    let arguments = [
-        Argument::Array("tip", vec![(0, false), (1, false), (2, false)]),
-        Argument::Number(3),
-        Argument::Array("rotary", angles),
-    ];
-    let Code { arguments, body, outputs } = Code::of(&compiled.plan.graph, &position(compiled), &arguments);
+    let Code { arguments, body, outputs } = Code::of(&compiled.plan.graph, &position(compiled));
     format!(
         "
 /// The linear joints that put the tip there with the rotary joints where they are.
@@ -173,11 +161,7 @@ fn position({arguments}) -> [f64; {count}] {{
 }
 
 fn forward_code(compiled: &Compiled) -> String {
-    let count = compiled.model.axes.len();
-    let is_rotary = |axis: usize| compiled.model.axes[axis].motion == Motion::Rotary;
-    let arguments =
-        [Argument::Array("joints", (0..count).map(|axis| (axis, is_rotary(axis))).collect()), Argument::Number(count)];
-    let Code { arguments, body, outputs } = Code::of(&compiled.plan.graph, &forward(compiled), &arguments);
+    let Code { arguments, body, outputs } = Code::of(&compiled.plan.graph, &forward(compiled));
     let (tip, axis) = outputs.split_at(3);
     format!(
         "

@@ -29,7 +29,12 @@ impl Kinematics for Solver {
         Some(4)
     }
 
-    fn inverse(&mut self, poses: &PoseBlock, tool_length_mm: f64, out: &mut SolutionBlock) {
+    fn inverse(
+        &mut self,
+        poses: &PoseBlock,
+        tool_length_mm: f64,
+        out: &mut SolutionBlock,
+    ) {
         for lane in 0..LANES {
             let found = inverse(poses.tip(lane), poses.axis(lane), tool_length_mm);
             for (lanes, joints) in out.branches.iter_mut().zip(found.joints) {
@@ -43,12 +48,24 @@ impl Kinematics for Solver {
     }
 
     fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) {
-        [joints[0], joints[1], joints[2]] = position(tip_mm, tool_length_mm, [joints[3], joints[4]]);
+        [joints[0], joints[1], joints[2]] = position(
+            tip_mm,
+            tool_length_mm,
+            [joints[3], joints[4]],
+        );
     }
 
-    fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {
+    fn forward(
+        &mut self,
+        joints: &JointBlock,
+        tool_length_mm: f64,
+        out: &mut PoseBlock,
+    ) {
         for lane in 0..LANES {
-            let (tip, axis) = forward(std::array::from_fn(|axis| joints[axis][lane]), tool_length_mm);
+            let (tip, axis) = forward(
+                std::array::from_fn(|axis| joints[axis][lane]),
+                tool_length_mm,
+            );
             out.set(lane, tip, axis);
         }
     }
@@ -253,7 +270,10 @@ pub fn machine() -> Machine {
             Axis {
                 name: "X".to_owned(),
                 motion: Motion::Linear,
-                travel: Travel { lower: -500.0, upper: 0.0 },
+                travel: Travel {
+                    lower: -500.0,
+                    upper: 0.0,
+                },
                 written: Written::Unwound,
                 zero: -250.0,
                 length_share: 0.0,
@@ -262,7 +282,10 @@ pub fn machine() -> Machine {
             Axis {
                 name: "Y".to_owned(),
                 motion: Motion::Linear,
-                travel: Travel { lower: -420.0, upper: 0.0 },
+                travel: Travel {
+                    lower: -420.0,
+                    upper: 0.0,
+                },
                 written: Written::Unwound,
                 zero: -155.0,
                 length_share: 0.0,
@@ -271,7 +294,10 @@ pub fn machine() -> Machine {
             Axis {
                 name: "Z".to_owned(),
                 motion: Motion::Linear,
-                travel: Travel { lower: -380.0, upper: 0.0 },
+                travel: Travel {
+                    lower: -380.0,
+                    upper: 0.0,
+                },
                 written: Written::Unwound,
                 zero: -502.0,
                 length_share: 1.0,
@@ -289,7 +315,10 @@ pub fn machine() -> Machine {
             Axis {
                 name: "C".to_owned(),
                 motion: Motion::Rotary,
-                travel: Travel { lower: -29999.0, upper: 29999.0 },
+                travel: Travel {
+                    lower: -29999.0,
+                    upper: 29999.0,
+                },
                 written: Written::Unwound,
                 zero: 0.0,
                 length_share: 0.0,
@@ -316,10 +345,19 @@ pub fn dialect() -> Dialect {
         units: LengthUnit::Millimetre,
         extension: "mpf".to_owned(),
         comment: (";".to_owned(), "".to_owned()),
-        sequence: Some(Sequence { address: "N".to_owned(), start: 10, step: 10, greatest: 99999999 }),
+        sequence: Some(Sequence {
+            address: "N".to_owned(),
+            start: 10,
+            step: 10,
+            greatest: 99999999,
+        }),
         offset: "G54".to_owned(),
         retract: None,
-        codes: Codes { units: "G710".to_owned(), per_minute: "G94".to_owned(), per_revolution: Some("G95".to_owned()) },
+        codes: Codes {
+            units: "G710".to_owned(),
+            per_minute: "G94".to_owned(),
+            per_revolution: Some("G95".to_owned()),
+        },
         axes: Vec::from([
             Word {
                 name: "X".to_owned(),
@@ -413,12 +451,23 @@ pub fn dialect() -> Dialect {
                 zero: None,
             },
         },
-        modal_groups: Vec::from([Vec::from(["G0".to_owned(), "G1".to_owned(), "G2".to_owned(), "G3".to_owned()])]),
+        modal_groups: Vec::from([
+            Vec::from([
+                "G0".to_owned(),
+                "G1".to_owned(),
+                "G2".to_owned(),
+                "G3".to_owned(),
+            ]),
+        ]),
         blocks: Vec::from([
             Block {
                 trigger: Trigger::Start,
                 lines: Vec::from([
-                    bare([text("; %_N_"), Piece::Value(Value::Program, None), text("_MPF")]),
+                    bare([
+                        text("; %_N_"),
+                        Piece::Value(Value::Program, None),
+                        text("_MPF"),
+                    ]),
                     numbered([Piece::Value(Value::Offset, None)]),
                     numbered([
                         text("G17 "),
@@ -445,7 +494,9 @@ pub fn dialect() -> Dialect {
             },
             Block {
                 trigger: Trigger::Operation,
-                lines: Vec::from([bare([text("; "), Piece::Value(Value::Operation, None)])]),
+                lines: Vec::from([
+                    bare([text("; "), Piece::Value(Value::Operation, None)]),
+                ]),
             },
             Block {
                 trigger: Trigger::Tool,
@@ -466,31 +517,68 @@ pub fn dialect() -> Dialect {
             },
             Block {
                 trigger: Trigger::SpindleClockwise,
-                lines: Vec::from([numbered([text("S"), Piece::Value(Value::Speed, None), text(" M3")])]),
+                lines: Vec::from([
+                    numbered([text("S"), Piece::Value(Value::Speed, None), text(" M3")]),
+                ]),
             },
             Block {
                 trigger: Trigger::SpindleCounterclockwise,
-                lines: Vec::from([numbered([text("S"), Piece::Value(Value::Speed, None), text(" M4")])]),
+                lines: Vec::from([
+                    numbered([text("S"), Piece::Value(Value::Speed, None), text(" M4")]),
+                ]),
             },
-            Block { trigger: Trigger::SpindleOff, lines: Vec::from([numbered([text("M5")])]) },
-            Block { trigger: Trigger::CoolantFlood, lines: Vec::from([numbered([text("M8")])]) },
-            Block { trigger: Trigger::CoolantMist, lines: Vec::from([numbered([text("M7")])]) },
-            Block { trigger: Trigger::CoolantThrough, lines: Vec::from([numbered([text("M26")])]) },
-            Block { trigger: Trigger::CoolantOff, lines: Vec::from([numbered([text("M9")])]) },
-            Block { trigger: Trigger::Stop, lines: Vec::from([numbered([text("M0")])]) },
-            Block { trigger: Trigger::OptionalStop, lines: Vec::from([numbered([text("M1")])]) },
+            Block {
+                trigger: Trigger::SpindleOff,
+                lines: Vec::from([numbered([text("M5")])]),
+            },
+            Block {
+                trigger: Trigger::CoolantFlood,
+                lines: Vec::from([numbered([text("M8")])]),
+            },
+            Block {
+                trigger: Trigger::CoolantMist,
+                lines: Vec::from([numbered([text("M7")])]),
+            },
+            Block {
+                trigger: Trigger::CoolantThrough,
+                lines: Vec::from([numbered([text("M26")])]),
+            },
+            Block {
+                trigger: Trigger::CoolantOff,
+                lines: Vec::from([numbered([text("M9")])]),
+            },
+            Block {
+                trigger: Trigger::Stop,
+                lines: Vec::from([numbered([text("M0")])]),
+            },
+            Block {
+                trigger: Trigger::OptionalStop,
+                lines: Vec::from([numbered([text("M1")])]),
+            },
             Block {
                 trigger: Trigger::Dwell,
-                lines: Vec::from([numbered([text("G4 F"), Piece::Value(Value::Seconds, None)])]),
+                lines: Vec::from([
+                    numbered([text("G4 F"), Piece::Value(Value::Seconds, None)]),
+                ]),
             },
             Block {
                 trigger: Trigger::Message,
-                lines: Vec::from([numbered([text("MSG(\""), Piece::Value(Value::Text, None), text("\")")])]),
+                lines: Vec::from([
+                    numbered([
+                        text("MSG(\""),
+                        Piece::Value(Value::Text, None),
+                        text("\")"),
+                    ]),
+                ]),
             },
             Block {
                 trigger: Trigger::Approach,
                 lines: Vec::from([
-                    numbered([Piece::Modal { group: 0, code: 0 }, text(" "), Piece::Axes(Vec::from([3, 4]))]),
+                    numbered([
+                        Piece::Modal { group: 0, code: 0 },
+                        text(" "),
+                        Piece::Axes(Vec::from([3, 4])),
+                    ]),
                     numbered([
                         Piece::Modal { group: 0, code: 0 },
                         text(" "),
@@ -498,7 +586,11 @@ pub fn dialect() -> Dialect {
                         text(" "),
                         Piece::Axes(Vec::from([1])),
                     ]),
-                    numbered([Piece::Modal { group: 0, code: 0 }, text(" "), Piece::Axes(Vec::from([2]))]),
+                    numbered([
+                        Piece::Modal { group: 0, code: 0 },
+                        text(" "),
+                        Piece::Axes(Vec::from([2])),
+                    ]),
                 ]),
             },
             Block {
@@ -520,26 +612,34 @@ pub fn dialect() -> Dialect {
                         text(" "),
                         Piece::Feed,
                     ]),
-                    numbered([Piece::Modal { group: 0, code: 1 }, text(" "), Piece::Axes(Vec::from([2]))]),
+                    numbered([
+                        Piece::Modal { group: 0, code: 1 },
+                        text(" "),
+                        Piece::Axes(Vec::from([2])),
+                    ]),
                 ]),
             },
             Block {
                 trigger: Trigger::Rapid,
-                lines: Vec::from([numbered([
-                    Piece::Modal { group: 0, code: 0 },
-                    text(" "),
-                    Piece::Axes(Vec::from([0, 1, 2, 3, 4])),
-                ])]),
+                lines: Vec::from([
+                    numbered([
+                        Piece::Modal { group: 0, code: 0 },
+                        text(" "),
+                        Piece::Axes(Vec::from([0, 1, 2, 3, 4])),
+                    ]),
+                ]),
             },
             Block {
                 trigger: Trigger::Feed,
-                lines: Vec::from([numbered([
-                    Piece::Modal { group: 0, code: 1 },
-                    text(" "),
-                    Piece::Axes(Vec::from([0, 1, 2, 3, 4])),
-                    text(" "),
-                    Piece::Feed,
-                ])]),
+                lines: Vec::from([
+                    numbered([
+                        Piece::Modal { group: 0, code: 1 },
+                        text(" "),
+                        Piece::Axes(Vec::from([0, 1, 2, 3, 4])),
+                        text(" "),
+                        Piece::Feed,
+                    ]),
+                ]),
             },
         ]),
     }
@@ -547,12 +647,18 @@ pub fn dialect() -> Dialect {
 
 /// A line with a sequence number.
 fn numbered<const N: usize>(pieces: [Piece; N]) -> Line {
-    Line { numbered: true, pieces: pieces.into() }
+    Line {
+        numbered: true,
+        pieces: pieces.into(),
+    }
 }
 
 /// A line without a sequence number.
 fn bare<const N: usize>(pieces: [Piece; N]) -> Line {
-    Line { numbered: false, pieces: pieces.into() }
+    Line {
+        numbered: false,
+        pieces: pieces.into(),
+    }
 }
 
 /// Printed as it is.

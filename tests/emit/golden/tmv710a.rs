@@ -29,7 +29,12 @@ impl Kinematics for Solver {
         Some(4)
     }
 
-    fn inverse(&mut self, poses: &PoseBlock, tool_length_mm: f64, out: &mut SolutionBlock) {
+    fn inverse(
+        &mut self,
+        poses: &PoseBlock,
+        tool_length_mm: f64,
+        out: &mut SolutionBlock,
+    ) {
         for lane in 0..LANES {
             let found = inverse(poses.tip(lane), poses.axis(lane), tool_length_mm);
             for (lanes, joints) in out.branches.iter_mut().zip(found.joints) {
@@ -43,12 +48,24 @@ impl Kinematics for Solver {
     }
 
     fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) {
-        [joints[0], joints[1], joints[2]] = position(tip_mm, tool_length_mm, [joints[3], joints[4]]);
+        [joints[0], joints[1], joints[2]] = position(
+            tip_mm,
+            tool_length_mm,
+            [joints[3], joints[4]],
+        );
     }
 
-    fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {
+    fn forward(
+        &mut self,
+        joints: &JointBlock,
+        tool_length_mm: f64,
+        out: &mut PoseBlock,
+    ) {
         for lane in 0..LANES {
-            let (tip, axis) = forward(std::array::from_fn(|axis| joints[axis][lane]), tool_length_mm);
+            let (tip, axis) = forward(
+                std::array::from_fn(|axis| joints[axis][lane]),
+                tool_length_mm,
+            );
             out.set(lane, tip, axis);
         }
     }
@@ -201,7 +218,10 @@ pub fn machine() -> Machine {
             Axis {
                 name: "X".to_owned(),
                 motion: Motion::Linear,
-                travel: Travel { lower: -355.0, upper: 355.0 },
+                travel: Travel {
+                    lower: -355.0,
+                    upper: 355.0,
+                },
                 written: Written::Unwound,
                 zero: 0.0,
                 length_share: 0.0,
@@ -210,7 +230,10 @@ pub fn machine() -> Machine {
             Axis {
                 name: "Y".to_owned(),
                 motion: Motion::Linear,
-                travel: Travel { lower: -310.0, upper: 200.0 },
+                travel: Travel {
+                    lower: -310.0,
+                    upper: 200.0,
+                },
                 written: Written::Unwound,
                 zero: 0.0,
                 length_share: 0.0,
@@ -219,7 +242,10 @@ pub fn machine() -> Machine {
             Axis {
                 name: "Z".to_owned(),
                 motion: Motion::Linear,
-                travel: Travel { lower: -450.0, upper: 60.0 },
+                travel: Travel {
+                    lower: -450.0,
+                    upper: 60.0,
+                },
                 written: Written::Unwound,
                 zero: 0.0,
                 length_share: 1.0,
@@ -228,7 +254,10 @@ pub fn machine() -> Machine {
             Axis {
                 name: "A".to_owned(),
                 motion: Motion::Rotary,
-                travel: Travel { lower: -30.0, upper: 120.0 },
+                travel: Travel {
+                    lower: -30.0,
+                    upper: 120.0,
+                },
                 written: Written::Unwound,
                 zero: 0.0,
                 length_share: 0.0,
@@ -237,7 +266,10 @@ pub fn machine() -> Machine {
             Axis {
                 name: "C".to_owned(),
                 motion: Motion::Rotary,
-                travel: Travel { lower: f64::NEG_INFINITY, upper: f64::INFINITY },
+                travel: Travel {
+                    lower: f64::NEG_INFINITY,
+                    upper: f64::INFINITY,
+                },
                 written: Written::Wrapped { from_deg: 0.0 },
                 zero: 0.0,
                 length_share: 0.0,
@@ -264,10 +296,19 @@ pub fn dialect() -> Dialect {
         units: LengthUnit::Millimetre,
         extension: "nc".to_owned(),
         comment: ("(".to_owned(), ")".to_owned()),
-        sequence: Some(Sequence { address: "N".to_owned(), start: 10, step: 10, greatest: 99999 }),
+        sequence: Some(Sequence {
+            address: "N".to_owned(),
+            start: 10,
+            step: 10,
+            greatest: 99999,
+        }),
         offset: "G54".to_owned(),
         retract: Some("Z0.".to_owned()),
-        codes: Codes { units: "G21".to_owned(), per_minute: "G94".to_owned(), per_revolution: Some("G95".to_owned()) },
+        codes: Codes {
+            units: "G21".to_owned(),
+            per_minute: "G94".to_owned(),
+            per_revolution: Some("G95".to_owned()),
+        },
         axes: Vec::from([
             Word {
                 name: "X".to_owned(),
@@ -361,7 +402,14 @@ pub fn dialect() -> Dialect {
                 zero: None,
             },
         },
-        modal_groups: Vec::from([Vec::from(["G0".to_owned(), "G1".to_owned(), "G2".to_owned(), "G3".to_owned()])]),
+        modal_groups: Vec::from([
+            Vec::from([
+                "G0".to_owned(),
+                "G1".to_owned(),
+                "G2".to_owned(),
+                "G3".to_owned(),
+            ]),
+        ]),
         blocks: Vec::from([
             Block {
                 trigger: Trigger::Start,
@@ -394,7 +442,9 @@ pub fn dialect() -> Dialect {
             },
             Block {
                 trigger: Trigger::Operation,
-                lines: Vec::from([bare([text("("), Piece::Value(Value::Operation, None), text(")")])]),
+                lines: Vec::from([
+                    bare([text("("), Piece::Value(Value::Operation, None), text(")")]),
+                ]),
             },
             Block {
                 trigger: Trigger::Tool,
@@ -413,31 +463,64 @@ pub fn dialect() -> Dialect {
             },
             Block {
                 trigger: Trigger::SpindleClockwise,
-                lines: Vec::from([numbered([text("S"), Piece::Value(Value::Speed, None), text(" M3")])]),
+                lines: Vec::from([
+                    numbered([text("S"), Piece::Value(Value::Speed, None), text(" M3")]),
+                ]),
             },
             Block {
                 trigger: Trigger::SpindleCounterclockwise,
-                lines: Vec::from([numbered([text("S"), Piece::Value(Value::Speed, None), text(" M4")])]),
+                lines: Vec::from([
+                    numbered([text("S"), Piece::Value(Value::Speed, None), text(" M4")]),
+                ]),
             },
-            Block { trigger: Trigger::SpindleOff, lines: Vec::from([numbered([text("M5")])]) },
-            Block { trigger: Trigger::CoolantFlood, lines: Vec::from([numbered([text("M8")])]) },
-            Block { trigger: Trigger::CoolantMist, lines: Vec::from([numbered([text("M7")])]) },
-            Block { trigger: Trigger::CoolantThrough, lines: Vec::from([numbered([text("M88")])]) },
-            Block { trigger: Trigger::CoolantOff, lines: Vec::from([numbered([text("M9")])]) },
-            Block { trigger: Trigger::Stop, lines: Vec::from([numbered([text("M0")])]) },
-            Block { trigger: Trigger::OptionalStop, lines: Vec::from([numbered([text("M1")])]) },
+            Block {
+                trigger: Trigger::SpindleOff,
+                lines: Vec::from([numbered([text("M5")])]),
+            },
+            Block {
+                trigger: Trigger::CoolantFlood,
+                lines: Vec::from([numbered([text("M8")])]),
+            },
+            Block {
+                trigger: Trigger::CoolantMist,
+                lines: Vec::from([numbered([text("M7")])]),
+            },
+            Block {
+                trigger: Trigger::CoolantThrough,
+                lines: Vec::from([numbered([text("M88")])]),
+            },
+            Block {
+                trigger: Trigger::CoolantOff,
+                lines: Vec::from([numbered([text("M9")])]),
+            },
+            Block {
+                trigger: Trigger::Stop,
+                lines: Vec::from([numbered([text("M0")])]),
+            },
+            Block {
+                trigger: Trigger::OptionalStop,
+                lines: Vec::from([numbered([text("M1")])]),
+            },
             Block {
                 trigger: Trigger::Dwell,
-                lines: Vec::from([numbered([text("G4 P"), Piece::Value(Value::Milliseconds, None)])]),
+                lines: Vec::from([
+                    numbered([text("G4 P"), Piece::Value(Value::Milliseconds, None)]),
+                ]),
             },
             Block {
                 trigger: Trigger::Message,
-                lines: Vec::from([bare([text("("), Piece::Value(Value::Text, None), text(")")])]),
+                lines: Vec::from([
+                    bare([text("("), Piece::Value(Value::Text, None), text(")")]),
+                ]),
             },
             Block {
                 trigger: Trigger::Approach,
                 lines: Vec::from([
-                    numbered([Piece::Modal { group: 0, code: 0 }, text(" "), Piece::Axes(Vec::from([3, 4]))]),
+                    numbered([
+                        Piece::Modal { group: 0, code: 0 },
+                        text(" "),
+                        Piece::Axes(Vec::from([3, 4])),
+                    ]),
                     numbered([
                         Piece::Modal { group: 0, code: 0 },
                         text(" "),
@@ -506,21 +589,25 @@ pub fn dialect() -> Dialect {
             },
             Block {
                 trigger: Trigger::Rapid,
-                lines: Vec::from([numbered([
-                    Piece::Modal { group: 0, code: 0 },
-                    text(" "),
-                    Piece::Axes(Vec::from([0, 1, 2, 3, 4])),
-                ])]),
+                lines: Vec::from([
+                    numbered([
+                        Piece::Modal { group: 0, code: 0 },
+                        text(" "),
+                        Piece::Axes(Vec::from([0, 1, 2, 3, 4])),
+                    ]),
+                ]),
             },
             Block {
                 trigger: Trigger::Feed,
-                lines: Vec::from([numbered([
-                    Piece::Modal { group: 0, code: 1 },
-                    text(" "),
-                    Piece::Axes(Vec::from([0, 1, 2, 3, 4])),
-                    text(" "),
-                    Piece::Feed,
-                ])]),
+                lines: Vec::from([
+                    numbered([
+                        Piece::Modal { group: 0, code: 1 },
+                        text(" "),
+                        Piece::Axes(Vec::from([0, 1, 2, 3, 4])),
+                        text(" "),
+                        Piece::Feed,
+                    ]),
+                ]),
             },
         ]),
     }
@@ -528,12 +615,18 @@ pub fn dialect() -> Dialect {
 
 /// A line with a sequence number.
 fn numbered<const N: usize>(pieces: [Piece; N]) -> Line {
-    Line { numbered: true, pieces: pieces.into() }
+    Line {
+        numbered: true,
+        pieces: pieces.into(),
+    }
 }
 
 /// A line without a sequence number.
 fn bare<const N: usize>(pieces: [Piece; N]) -> Line {
-    Line { numbered: false, pieces: pieces.into() }
+    Line {
+        numbered: false,
+        pieces: pieces.into(),
+    }
 }
 
 /// Printed as it is.
