@@ -5,7 +5,7 @@
 //!
 //! Lengths are in millimetres; angles are in radians inside of a function and in degrees outside.
 #![forbid(unsafe_code)]
-#![allow(unreachable_pub, clippy::approx_constant)]
+#![allow(unreachable_pub, clippy::approx_constant, clippy::needless_range_loop)]
 
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, PoseBlock, SolutionBlock};
 use mach_runtime::machine::*;
