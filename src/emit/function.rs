@@ -1,11 +1,18 @@
 //! The functions of a plan under the names of its machine: inverse, position and forward.
 
-use super::listing::{Function, Input, Output, Remark};
+use super::listing::{Argument, Function, Input, Output, Remark};
 use crate::compile::Compiled;
 use crate::derive::family;
+use crate::model::machine::Axis;
 use crate::plan::{AXIS_INPUT, Id, JOINT_INPUT, TIP_INPUT, TOOL_LENGTH_INPUT};
 use mach_runtime::error_table::ErrorTable;
 use mach_runtime::machine::Motion;
+
+/// A vector's coordinates: names in code, and what people write.
+type Coordinates = [(&'static str, &'static str); 3];
+
+const TIP: Coordinates = [("tip_x", "x"), ("tip_y", "y"), ("tip_z", "z")];
+const DIRECTION: Coordinates = [("i", "i"), ("j", "j"), ("k", "k")];
 
 /// The indices of the axes whose joints a position is given, and of those it gives.
 pub fn given_and_solved(compiled: &Compiled) -> (Vec<usize>, Vec<usize>) {
@@ -16,40 +23,32 @@ pub fn given_and_solved(compiled: &Compiled) -> (Vec<usize>, Vec<usize>) {
 /// From tip, tool axis, tool length and surplus joints to every solution: the joints of each in the order of the model,
 /// then the reach, the sine at the pole and the gap.
 pub fn inverse(compiled: &Compiled) -> Function {
-    let (plan, several) = (&compiled.plan, compiled.plan.branches.len() > 1);
+    let branches = &compiled.plan.branches;
     let mut outputs = Vec::new();
-    for (branch, solution) in plan.branches.iter().enumerate() {
-        let suffix = if several { format!("{}", branch + 1) } else { String::new() };
+    for (branch, solution) in branches.iter().enumerate() {
+        let suffix = if branches.len() > 1 { (branch + 1).to_string() } else { String::new() };
         outputs.extend(solution.joints.iter().enumerate().map(|(axis, &id)| joint(compiled, axis, &suffix, id)));
     }
-    outputs.push(Output {
-        id: plan.reach,
-        name: "reach".to_owned(),
-        symbol: None,
-        remark: Remark::Meaning("Zero within reach, else minus the angle to it.".to_owned()),
-    });
-    outputs.push(Output {
-        id: plan.pole_sine,
-        name: "pole_sine".to_owned(),
-        symbol: None,
-        remark: Remark::Meaning(pole(compiled)),
-    });
-    outputs.push(Output {
-        id: plan.gap,
-        name: "gap".to_owned(),
-        symbol: None,
-        remark: Remark::Meaning("Zero where the linear axes reach the tip, else how far it is from there.".to_owned()),
-    });
-    let motion = |output: usize| compiled.model.axes[output % compiled.model.axes.len()].motion;
-    let of_branch = |branch: usize| {
-        let all = branch * compiled.model.axes.len()..(branch + 1) * compiled.model.axes.len();
-        let (rotary, linear): (Vec<usize>, Vec<usize>) = all.partition(|&output| motion(output) == Motion::Rotary);
-        rotary.into_iter().chain(linear)
+    outputs.push(scalar("reach", compiled.plan.reach, "Zero within reach, else minus the angle to it.".to_owned()));
+    outputs.push(scalar("pole_sine", compiled.plan.pole_sine, pole(compiled)));
+    let gap = "Zero where the linear axes reach the tip, else how far it is from there.";
+    outputs.push(scalar("gap", compiled.plan.gap, gap.to_owned()));
+    // The angles of a solution come before what follows from them.
+    let axes = compiled.model.axes.len();
+    let key = |&output: &usize| {
+        let is_linear = compiled.model.axes[output % axes].motion == Motion::Linear;
+        (output / axes, output < branches.len() * axes && is_linear)
     };
-    let joints = plan.branches.len() * compiled.model.axes.len();
-    let order = (0..plan.branches.len()).flat_map(of_branch).chain(joints..outputs.len()).collect();
-    let surplus = plan.surplus.iter().map(|&axis| joint_input(compiled, axis)).collect();
-    Function { inputs: [tip(), tool_axis(), vec![tool_length()], surplus].concat(), outputs, order }
+    let mut order: Vec<usize> = (0..outputs.len()).collect();
+    order.sort_by_key(key);
+    let surplus: Vec<Input> = compiled.plan.surplus.iter().map(|&axis| joint_input(compiled, axis)).collect();
+    let mut arguments = vec![tip(), tool_axis(), tool_length()];
+    arguments.extend((!surplus.is_empty()).then_some(Argument::Array("surplus", surplus)));
+    Function { arguments, outputs, order }
+}
+
+fn scalar(name: &str, id: Id, meaning: String) -> Output {
+    Output { id, name: name.to_owned(), symbol: None, remark: Remark::Meaning(meaning) }
 }
 
 fn pole(compiled: &Compiled) -> String {
@@ -73,47 +72,39 @@ pub fn position(compiled: &Compiled) -> Function {
         solved.into_iter().map(|axis| joint(compiled, axis, "", compiled.plan.position[axis])).collect();
     let given = given.into_iter().map(|axis| joint_input(compiled, axis)).collect();
     let order = (0..outputs.len()).collect();
-    Function { inputs: [tip(), vec![tool_length()], given].concat(), outputs, order }
+    Function { arguments: vec![tip(), tool_length(), Argument::Array("given", given)], outputs, order }
 }
 
 /// From joints and tool length to the tip, then to the tool axis.
 pub fn forward(compiled: &Compiled) -> Function {
-    pose(compiled, (compiled.plan.tip, compiled.plan.axis), vec![])
+    let joints = Argument::Array("joints", joint_inputs(compiled));
+    pose(compiled, (compiled.plan.tip, compiled.plan.axis), vec![joints, tool_length()])
 }
 
 /// From joints, tool length and the errors of the axes to the tip, then to the tool axis.
 pub fn forward_actual(compiled: &Compiled) -> Function {
-    let tables = compiled.model.errors.tables.iter().enumerate();
     let error = |(place, table): (usize, &ErrorTable)| {
         let name = format!("E{}{}", table.component.letter(), compiled.model.axes[table.axis].name);
-        Input { index: JOINT_INPUT + compiled.model.axes.len() + place, name: name.clone(), symbol: name }
+        Input { index: JOINT_INPUT + compiled.model.axes.len() + place, symbol: name.clone(), name, is_angle: false }
     };
-    pose(compiled, compiled.plan.actual, tables.map(error).collect())
+    let errors = compiled.model.errors.tables.iter().enumerate().map(error).collect();
+    let joints = Argument::Array("joints", joint_inputs(compiled));
+    pose(compiled, compiled.plan.actual, vec![joints, tool_length(), Argument::Array("errors", errors)])
 }
 
-fn pose(compiled: &Compiled, (tip, axis): ([Id; 3], [Id; 3]), errors: Vec<Input>) -> Function {
-    let tip = named(["tip_x", "tip_y", "tip_z"], ["x", "y", "z"], tip);
-    let axis = named(["i", "j", "k"], ["i", "j", "k"], axis);
-    let output = |(name, symbol, id): (&str, &str, _)| Output {
+fn joint_inputs(compiled: &Compiled) -> Vec<Input> {
+    (0..compiled.model.axes.len()).map(|axis| joint_input(compiled, axis)).collect()
+}
+
+fn pose(compiled: &Compiled, (tip, axis): ([Id; 3], [Id; 3]), arguments: Vec<Argument>) -> Function {
+    let coordinates = TIP.into_iter().zip(tip).chain(DIRECTION.into_iter().zip(axis));
+    let output = |((name, symbol), id): ((&str, &str), Id)| Output {
         id,
         name: name.to_owned(),
         symbol: Some(symbol.to_owned()),
         remark: Remark::Stated(compiled.origins.tool.clone()),
     };
-    let joints = (0..compiled.model.axes.len()).map(|axis| joint_input(compiled, axis)).collect();
-    Function {
-        inputs: [joints, vec![tool_length()], errors].concat(),
-        outputs: tip.chain(axis).map(output).collect(),
-        order: vec![3, 4, 5, 0, 1, 2],
-    }
-}
-
-fn named<const N: usize, T>(
-    names: [&'static str; N],
-    symbols: [&'static str; N],
-    ids: [T; N],
-) -> impl Iterator<Item = (&'static str, &'static str, T)> {
-    names.into_iter().zip(symbols).zip(ids).map(|((name, symbol), id)| (name, symbol, id))
+    Function { arguments, outputs: coordinates.map(output).collect(), order: vec![3, 4, 5, 0, 1, 2] }
 }
 
 fn joint(compiled: &Compiled, axis: usize, suffix: &str, id: Id) -> Output {
@@ -127,24 +118,27 @@ fn joint(compiled: &Compiled, axis: usize, suffix: &str, id: Id) -> Output {
 }
 
 fn joint_input(compiled: &Compiled, axis: usize) -> Input {
-    let name = &compiled.model.axes[axis].name;
-    Input { index: JOINT_INPUT + axis, name: name.clone(), symbol: name.clone() }
+    let Axis { name, motion, .. } = &compiled.model.axes[axis];
+    Input { index: JOINT_INPUT + axis, name: name.clone(), symbol: name.clone(), is_angle: *motion == Motion::Rotary }
 }
 
-fn tip() -> Vec<Input> {
-    inputs(TIP_INPUT, ["tip_x", "tip_y", "tip_z"], ["x", "y", "z"])
+fn tip() -> Argument {
+    vector("tip", TIP_INPUT, TIP)
 }
 
-fn tool_axis() -> Vec<Input> {
-    inputs(AXIS_INPUT, ["i", "j", "k"], ["i", "j", "k"])
+fn tool_axis() -> Argument {
+    vector("axis", AXIS_INPUT, DIRECTION)
 }
 
-fn inputs(first: usize, names: [&'static str; 3], symbols: [&'static str; 3]) -> Vec<Input> {
-    let input =
-        |(name, symbol, index): (&str, &str, usize)| Input { index, name: name.to_owned(), symbol: symbol.to_owned() };
-    named(names, symbols, [first, first + 1, first + 2]).map(input).collect()
+fn vector(name: &'static str, first: usize, coordinates: Coordinates) -> Argument {
+    let inputs = coordinates.into_iter().zip(first..);
+    Argument::Array(name, inputs.map(|((name, symbol), index)| length(name, symbol, index)).collect())
 }
 
-fn tool_length() -> Input {
-    Input { index: TOOL_LENGTH_INPUT, name: "tool_length".to_owned(), symbol: "L".to_owned() }
+fn tool_length() -> Argument {
+    Argument::Number(length("tool_length", "L", TOOL_LENGTH_INPUT))
+}
+
+fn length(name: &str, symbol: &str, index: usize) -> Input {
+    Input { index, name: name.to_owned(), symbol: symbol.to_owned(), is_angle: false }
 }

@@ -15,15 +15,34 @@ const GREATEST_WEIGHT: usize = 8;
 #[derive(Debug)]
 pub struct Function {
     /// What it reads.
-    pub inputs: Vec<Input>,
+    pub arguments: Vec<Argument>,
     /// What it gives.
     pub outputs: Vec<Output>,
     /// In which order the outputs (as indices) are computed, where none needs another.
     pub order: Vec<usize>,
 }
 
-/// An input. Angles are in radians.
-#[derive(Debug, Clone)]
+/// An argument of a function.
+#[derive(Debug)]
+pub enum Argument {
+    /// One number.
+    Number(Input),
+    /// An array under a name of its own.
+    Array(&'static str, Vec<Input>),
+}
+
+impl Function {
+    /// The inputs of all arguments, in order.
+    pub fn inputs(&self) -> impl Iterator<Item = &Input> {
+        self.arguments.iter().flat_map(|argument| match argument {
+            Argument::Number(input) => std::slice::from_ref(input),
+            Argument::Array(_, inputs) => inputs,
+        })
+    }
+}
+
+/// An input.
+#[derive(Debug)]
 pub struct Input {
     /// Its index in the plan.
     pub index: usize,
@@ -31,6 +50,8 @@ pub struct Input {
     pub name: String,
     /// What people write for it.
     pub symbol: String,
+    /// Whether it is an angle: the plan has it in radians, whoever calls the function in degrees.
+    pub is_angle: bool,
 }
 
 /// An output. Angles are in radians.
@@ -58,8 +79,8 @@ pub enum Remark {
 /// A function in a programming language.
 #[derive(Debug)]
 pub struct Listing {
-    /// The name of each input; none for those that nothing reads.
-    pub inputs: Vec<Option<String>>,
+    /// The names of the inputs by their indices; those that nothing reads have none.
+    pub inputs: BTreeMap<usize, String>,
     /// The code, in order.
     pub blocks: Vec<Block>,
     /// The name of each output.
@@ -130,7 +151,7 @@ impl<'a> Lister<'a> {
         let needed = needed(graph, &outputs);
         let named = named(graph, &needed, &outputs);
         let symbols: BTreeMap<usize, &str> =
-            function.inputs.iter().map(|input| (input.index, input.symbol.as_str())).collect();
+            function.inputs().map(|input| (input.index, input.symbol.as_str())).collect();
         let symbol = |(id, index): (Id, usize)| Some((id, (*symbols.get(&index)?).to_owned()));
         Self {
             graph,
@@ -158,16 +179,15 @@ impl<'a> Lister<'a> {
         Listing { inputs, blocks: self.blocks, outputs, names: self.names }
     }
 
-    fn inputs(&mut self) -> Vec<Option<String>> {
+    fn inputs(&mut self) -> BTreeMap<usize, String> {
         let nodes: BTreeMap<usize, Id> = self.graph.inputs().map(|(id, index)| (index, id)).collect();
-        let mut names = Vec::new();
-        for input in &self.function.inputs {
-            let node = nodes.get(&input.index).filter(|id| self.needed.contains(id));
-            names.push(node.map(|&id| {
-                let name = self.names.claim(&input.name);
+        let mut names = BTreeMap::new();
+        for Input { index, name, .. } in self.function.inputs() {
+            if let Some(&id) = nodes.get(index).filter(|id| self.needed.contains(id)) {
+                let name = self.names.claim(name);
                 self.expressions.names.insert(id, name.clone());
-                name
-            }));
+                names.insert(*index, name);
+            }
         }
         names
     }

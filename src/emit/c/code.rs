@@ -2,7 +2,7 @@
 
 use crate::emit::comment::comments;
 use crate::emit::expression::Language;
-use crate::emit::listing::{Function, Statement, listing};
+use crate::emit::listing::{Function, Input, Statement, listing};
 use crate::plan::Graph;
 
 /// C, with the functions of its mathematical library.
@@ -80,11 +80,14 @@ pub(super) struct Body {
 }
 
 impl Body {
-    /// The body of a function whose inputs are read from these expressions.
+    /// The body of a function whose inputs are read from these expressions, angles in degrees.
     pub(super) fn of(graph: &Graph, function: &Function, given: &[String]) -> Self {
         let listing = listing(graph, function, &C);
-        let read = |(name, given): (&Option<String>, &String)| Some(constant(name.as_ref()?, given));
-        let mut text: String = listing.inputs.iter().zip(given).filter_map(read).collect();
+        let read = |(input, given): (&Input, &String)| {
+            let name = listing.inputs.get(&input.index)?;
+            Some(constant(name, &if input.is_angle { format!("{given} * DEGREE") } else { given.clone() }))
+        };
+        let mut text: String = function.inputs().zip(given).filter_map(read).collect();
         for (block, comment) in listing.blocks.iter().zip(comments(function, &listing)) {
             text += "\n";
             text += &comment.iter().map(|line| format!("    // {line}\n")).collect::<String>();

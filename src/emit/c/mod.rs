@@ -7,7 +7,7 @@ mod code;
 
 use super::expression::number;
 use super::function::{forward, given_and_solved, position};
-use super::listing::{Function, divides};
+use super::listing::divides;
 use crate::compile::Compiled;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::model::machine::Axis;
@@ -106,11 +106,6 @@ static struct pins {
 /// The length of the tool in force.
 const TOOL_LENGTH: &str = "*pins->tool_length";
 
-/// How an angle in degrees is read.
-fn radians(degrees: &str) -> String {
-    format!("{degrees} * DEGREE")
-}
-
 /// What is to be added to a coordinate of the tip for the world's, or with the signs exchanged the other way round.
 fn length_share(compiled: &Compiled, coordinate: usize, plus: char, minus: char) -> String {
     let share = compiled.model.tool.axis[coordinate];
@@ -123,16 +118,13 @@ fn length_share(compiled: &Compiled, coordinate: usize, plus: char, minus: char)
 }
 
 fn forward_code(compiled: &Compiled) -> String {
-    let whole = forward(compiled);
-    let outputs = whole.outputs.into_iter().take(3).collect();
-    let tip_only = Function { outputs, order: vec![0, 1, 2], inputs: whole.inputs };
+    let mut tip_only = forward(compiled);
+    tip_only.outputs.truncate(3);
+    tip_only.order.retain(|&output| output < 3);
     let axes = &compiled.model.axes;
-    let joint = |(index, axis): (usize, &Axis)| match axis.motion {
-        Motion::Linear => format!("joints[{index}]"),
-        Motion::Rotary => radians(&format!("joints[{index}]")),
-    };
     let (given, _) = given_and_solved(compiled);
-    let arguments: Vec<String> = axes.iter().enumerate().map(joint).chain([TOOL_LENGTH.to_owned()]).collect();
+    let joints = (0..axes.len()).map(|joint| format!("joints[{joint}]"));
+    let arguments: Vec<String> = joints.chain([TOOL_LENGTH.to_owned()]).collect();
     let Body { text, outputs } = Body::of(&compiled.plan.graph, &tip_only, &arguments);
     let tip =
         (0..3).map(|i| format!("tran.{} = {}{}", ["x", "y", "z"][i], outputs[i], length_share(compiled, i, '+', '-')));
@@ -165,12 +157,9 @@ fn inverse_code(compiled: &Compiled) -> String {
     let axes = &compiled.model.axes;
     let word =
         |axis: usize| format!("world->{}", world_coordinate(&axes[axis]).expect("a given axis has a coordinate"));
-    let joint = |&axis: &usize| match axes[axis].motion {
-        Motion::Linear => word(axis),
-        Motion::Rotary => radians(&word(axis)),
-    };
     let tip = (0..3).map(|i| format!("world->tran.{}{}", ["x", "y", "z"][i], length_share(compiled, i, '-', '+')));
-    let arguments: Vec<String> = tip.chain([TOOL_LENGTH.to_owned()]).chain(given.iter().map(joint)).collect();
+    let arguments: Vec<String> =
+        tip.chain([TOOL_LENGTH.to_owned()]).chain(given.iter().map(|&axis| word(axis))).collect();
     let Body { text, outputs } = Body::of(&compiled.plan.graph, &function, &arguments);
     let solved = solved.iter().zip(&outputs).map(|(axis, name)| format!("    joints[{axis}] = {name};\n"));
     let copied = given.iter().map(|&axis| format!("    joints[{axis}] = {};\n", word(axis)));

@@ -2,7 +2,7 @@
 
 use crate::emit::comment::comments;
 use crate::emit::expression::Language;
-use crate::emit::listing::{Function, Listing, Statement, listing};
+use crate::emit::listing::{Argument, Function, Input, Listing, Statement, listing};
 use crate::plan::Graph;
 
 /// Rust, with `libm` for the trigonometric functions.
@@ -27,14 +27,6 @@ pub(super) const HELPERS: [(&str, &str); 2] = [
     ("greater", "/// The greater of two.\nfn greater(a: f64, b: f64) -> f64 { if a > b { a } else { b } }"),
 ];
 
-/// An argument: one number, or an array of them. Inputs are meant by their places among the function's.
-pub(super) enum Argument {
-    /// An input.
-    Number(usize),
-    /// A name for several inputs, each with whether it is an angle that is given in degrees.
-    Array(&'static str, Vec<(usize, bool)>),
-}
-
 /// What stands in the braces of a Rust function, and what its arguments are called.
 pub(super) struct Code {
     /// The arguments with their types.
@@ -46,12 +38,12 @@ pub(super) struct Code {
 }
 
 impl Code {
-    /// The code of a function that takes its inputs by these arguments.
-    pub(super) fn of(graph: &Graph, function: &Function, arguments: &[Argument]) -> Self {
+    /// The code of a function.
+    pub(super) fn of(graph: &Graph, function: &Function) -> Self {
         let mut listing = listing(graph, function, &RUST);
         let mut body = String::new();
         let arguments: Vec<String> =
-            arguments.iter().map(|argument| declared(argument, &mut listing, &mut body)).collect();
+            function.arguments.iter().map(|argument| declared(argument, &mut listing, &mut body)).collect();
         for (block, comment) in listing.blocks.iter().zip(comments(function, &listing)) {
             body += "\n";
             body += &comment.iter().map(|line| format!("// {line}\n")).collect::<String>();
@@ -63,13 +55,12 @@ impl Code {
 
 /// The argument with its type; an array is taken apart in the body, and what is given in degrees is converted.
 fn declared(argument: &Argument, listing: &mut Listing, body: &mut String) -> String {
+    let mut conversions = String::new();
     match argument {
-        Argument::Number(input) => format!("{}: f64", listing.inputs[*input].as_deref().unwrap_or("_")),
+        Argument::Number(input) => format!("{}: f64", element(input, listing, body)),
         Argument::Array(name, inputs) => {
             let name = listing.names.claim(name);
-            let mut conversions = String::new();
-            let elements: Vec<String> =
-                inputs.iter().map(|&(input, deg)| element(input, deg, listing, &mut conversions)).collect();
+            let elements: Vec<String> = inputs.iter().map(|input| element(input, listing, &mut conversions)).collect();
             let is_read = elements.iter().any(|element| element != "_");
             if is_read {
                 *body += &format!("let [{}] = {name};\n{conversions}", elements.join(", "));
@@ -79,14 +70,14 @@ fn declared(argument: &Argument, listing: &mut Listing, body: &mut String) -> St
     }
 }
 
-fn element(input: usize, in_degrees: bool, listing: &mut Listing, conversions: &mut String) -> String {
-    match listing.inputs[input].clone() {
-        Some(name) if in_degrees => {
+fn element(input: &Input, listing: &mut Listing, conversions: &mut String) -> String {
+    match listing.inputs.get(&input.index) {
+        Some(name) if input.is_angle => {
             let given = listing.names.claim(&format!("{name}_deg"));
             *conversions += &format!("let {name} = {given}.to_radians();\n");
             given
         }
-        Some(name) => name,
+        Some(name) => name.clone(),
         None => "_".to_owned(),
     }
 }

@@ -8,7 +8,7 @@ use super::function::{forward, forward_actual, given_and_solved, inverse, positi
 use super::listing::Function;
 use super::tables;
 use crate::compile::Compiled;
-use code::{Argument, Code};
+use code::Code;
 use layout::laid_out;
 use literal::Literal;
 use mach_runtime::machine::Motion;
@@ -150,16 +150,7 @@ fn called(functions: &[(&str, &str)], code: &str) -> String {
 }
 
 fn inverse_code(compiled: &Compiled) -> String {
-    let surplus: Vec<_> = (compiled.plan.surplus.iter().enumerate())
-        .map(|(place, &axis)| (7 + place, compiled.plan.rotary[axis]))
-        .collect();
-    let mut arguments = vec![
-        Argument::Array("tip", vec![(0, false), (1, false), (2, false)]),
-        Argument::Array("axis", vec![(3, false), (4, false), (5, false)]),
-        Argument::Number(6),
-    ];
-    arguments.extend((!surplus.is_empty()).then_some(Argument::Array("surplus", surplus)));
-    let Code { arguments, body, outputs } = Code::of(&compiled.plan.graph, &inverse(compiled), &arguments);
+    let Code { arguments, body, outputs } = Code::of(&compiled.plan.graph, &inverse(compiled));
     let (count, branches) = (compiled.model.axes.len(), compiled.plan.branches.len());
     let solutions: Vec<String> =
         outputs[..count * branches].chunks(count).map(|joints| array(&in_degrees(compiled, joints))).collect();
@@ -198,14 +189,7 @@ fn field(name: &str, value: &str) -> String {
 }
 
 fn position_code(compiled: &Compiled) -> String {
-    let (given, _) = given_and_solved(compiled);
-    let given = given.iter().enumerate().map(|(place, &axis)| (4 + place, compiled.plan.rotary[axis])).collect();
-    let arguments = [
-        Argument::Array("tip", vec![(0, false), (1, false), (2, false)]),
-        Argument::Number(3),
-        Argument::Array("given", given),
-    ];
-    let Code { arguments, body, outputs } = Code::of(&compiled.plan.graph, &position(compiled), &arguments);
+    let Code { arguments, body, outputs } = Code::of(&compiled.plan.graph, &position(compiled));
     format!(
         "
 /// The joints that put the tip there with the rotary and surplus joints where they are.
@@ -220,26 +204,16 @@ fn position({arguments}) -> [f64; {count}] {{
 }
 
 fn forward_code(compiled: &Compiled) -> String {
-    let text = ("Tip and tool axis for these joints.", "forward");
-    pose_code(compiled, text, &forward(compiled), &joints_and_length(compiled))
+    pose_code(compiled, ("Tip and tool axis for these joints.", "forward"), &forward(compiled))
 }
 
 fn forward_actual_code(compiled: &Compiled) -> String {
-    let mut arguments = joints_and_length(compiled);
-    let first = compiled.model.axes.len() + 1;
-    arguments
-        .push(Argument::Array("errors", (first..first + compiled.plan.errors).map(|input| (input, false)).collect()));
     let text = ("Tip and tool axis for these joints and these errors of the axes.", "forward_actual");
-    pose_code(compiled, text, &forward_actual(compiled), &arguments)
+    pose_code(compiled, text, &forward_actual(compiled))
 }
 
-fn joints_and_length(compiled: &Compiled) -> Vec<Argument> {
-    let joints = compiled.plan.rotary.iter().copied().enumerate().collect();
-    vec![Argument::Array("joints", joints), Argument::Number(compiled.model.axes.len())]
-}
-
-fn pose_code(compiled: &Compiled, (what, name): (&str, &str), function: &Function, arguments: &[Argument]) -> String {
-    let Code { arguments, body, outputs } = Code::of(&compiled.plan.graph, function, arguments);
+fn pose_code(compiled: &Compiled, (what, name): (&str, &str), function: &Function) -> String {
+    let Code { arguments, body, outputs } = Code::of(&compiled.plan.graph, function);
     let (tip, axis) = outputs.split_at(3);
     format!(
         "
