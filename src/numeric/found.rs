@@ -38,15 +38,9 @@ fn is_same(a: &[f64], b: &[f64], rotary: &[bool]) -> bool {
     angles.map(|((a, b), _)| within_one_turn(a - b).abs()).all(|apart| apart < SAME_ANGLE_RAD)
 }
 
-/// From -π (excluded) to π, and a little further: an angle that is half a turn as far as iteration can tell is a positive
-/// one, as the closed form has it.
+/// From -π (excluded) to π.
 pub(super) fn within_one_turn(angle_rad: f64) -> f64 {
-    let (least, greatest) = (SAME_ANGLE_RAD - PI, SAME_ANGLE_RAD + PI);
-    if least < angle_rad && angle_rad <= greatest {
-        angle_rad
-    } else {
-        angle_rad - TAU * ((angle_rad - greatest) / TAU).ceil()
-    }
+    if -PI < angle_rad && angle_rad <= PI { angle_rad } else { angle_rad - TAU * ((angle_rad - PI) / TAU).ceil() }
 }
 
 #[cfg(test)]
