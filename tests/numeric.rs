@@ -8,9 +8,11 @@ mod program;
 #[path = "common/stems.rs"]
 mod stems;
 
+use mach_runtime::error_table::{Component, ErrorTable};
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, PoseBlock, SolutionBlock};
 use mach_runtime::vector::{Vec3, angle_rad, norm, sub};
 use machc::compile::Compiled;
+use machc::derive::derive;
 use machc::numeric::{Method, Numeric, Solver};
 use machc::plan::Interpreter;
 use program::{posted, posted_by};
@@ -215,6 +217,24 @@ fn programs_are_the_same_byte_for_byte() {
                 assert!(found.nc == expected.nc, "{name} {cl} {method:?}: another program");
             }
         }
+    }
+}
+
+#[test]
+fn errors_of_the_axes_are_compensated_around_either_inverse() {
+    let mut compiled = compiled("tmv710a");
+    let table = |axis, component, rows: [(f64, f64); 2]| ErrorTable { axis, component, rows: rows.to_vec() };
+    let (x, a) = (
+        table(0, Component::Y, [(-300.0, -0.02), (300.0, 0.02)]),
+        table(3, Component::C, [(-30.0, 0.0), (120.0, 2e-5)]),
+    );
+    compiled.model.errors.tables.extend([x, a]);
+    compiled.plan = derive(&compiled.model);
+    let expected = posted(&compiled, "examples/sine_surface.cls");
+    assert!(expected.certificate.is_some());
+    for method in METHODS {
+        let found = posted_by(&mut Numeric::new(&compiled.plan, method), &compiled, "examples/sine_surface.cls");
+        assert!(found.certificate.is_some() && found.nc == expected.nc, "{method:?}");
     }
 }
 

@@ -7,6 +7,7 @@ use super::{Effort, Method, seeds};
 use crate::plan::{Interpreter, JOINT_INPUT, Plan, Program};
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, PoseBlock, SolutionBlock};
 use mach_runtime::vector::Vec3;
+use std::f64::consts::PI;
 
 /// A plan's forward chain, solved for the joints by iteration. Of the plan's branches only their number is used.
 ///
@@ -152,9 +153,14 @@ impl Numeric {
         if self.rotary[axis] { joint.to_radians() } else { joint / LENGTH_MM }
     }
 
-    /// A scaled joint in millimetres or degrees.
+    /// A scaled joint in millimetres or degrees. What is half a turn within the bound is a positive one: rounding must not
+    /// decide which way to turn.
     fn outside(&self, axis: usize, scaled: f64) -> f64 {
-        if self.rotary[axis] { scaled.to_degrees() } else { scaled * LENGTH_MM }
+        match self.rotary[axis] {
+            true if (scaled.abs() - PI).abs() <= BOUND => 180.0,
+            true => scaled.to_degrees(),
+            false => scaled * LENGTH_MM,
+        }
     }
 }
 

@@ -11,9 +11,9 @@ use mach_runtime::vector::{Vec3, angle_rad, norm, sub};
 /// A length that weighs as much as a radian: the ratio of the proof's two bounds, one metre.
 pub(super) const LENGTH_MM: f64 = TIP_BOUND_MM / AXIS_BOUND_RAD;
 
-/// What a scaled residual or step has to be within: half of the proof's bound, so that turning the joints into degrees and
-/// within one turn does not take them beyond it.
-pub(super) const BOUND: f64 = AXIS_BOUND_RAD / 2.0;
+/// What a scaled residual or step has to be within: a tenth of the proof's bound. The rest is for turning joints into
+/// degrees, and for what iterates around this inverse.
+pub(super) const BOUND: f64 = AXIS_BOUND_RAD / 10.0;
 
 /// Where the tool is to be: tip in millimetres, unit axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
