@@ -7,6 +7,7 @@ pub mod derive;
 pub mod diagnostic;
 pub mod emit;
 pub mod model;
+pub mod numeric;
 pub mod plan;
 pub mod snapshot;
 pub mod syntax;

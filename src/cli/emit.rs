@@ -6,13 +6,17 @@ use mach_command::files::cannot_write;
 use mach_command::outcome::{Failure, Status};
 use mach_command::output::Output;
 use mach_command::report::Report;
+use machc::emit::c::c;
+use machc::emit::json;
+use machc::emit::latex::equations;
 use machc::emit::rust::rust;
 
 use super::machine::compiled;
 
-/// Write the kinematics of a machine as source code
+/// Write what was made of a machine file: source code, equations, data
 ///
-/// rust: one module for mach-runtime, with the solver and the tables. c: a kinematics module for LinuxCNC.
+/// Source code is functions that only compute, statement by statement; each says which line of the machine file it comes
+/// from.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// What to write
@@ -25,17 +29,31 @@ pub(super) struct Arguments {
     output: Option<String>,
 }
 
-/// A form of source code.
+/// What can be written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 enum Form {
+    /// One module for mach-runtime: the solver and the tables
     Rust,
+    /// A kinematics module for LinuxCNC
+    C,
+    /// The transformations as Markdown with LaTeX
+    Equations,
+    /// The machine with everything resolved, as JSON
+    Json,
 }
 
 pub(super) fn run(arguments: Arguments, report: &Report) -> Result<Status, Failure> {
     let Arguments { form, machine, output } = arguments;
     let Some(compiled) = compiled(&machine, report)? else { return Ok(Status::Refused) };
     let text = match form {
-        Form::Rust => rust(&compiled),
+        Form::Rust => Ok(rust(&compiled)),
+        Form::C => c(&compiled),
+        Form::Equations => Ok(equations(&compiled.model, &compiled.plan)),
+        Form::Json => Ok(json::machine(&compiled.model)),
+    };
+    let text = match text {
+        Ok(text) => text,
+        Err(diagnostic) => return Ok(report.tell(&[diagnostic])),
     };
     let mut out = Output::begin(output.as_deref())?;
     out.write_all(text.as_bytes()).map_err(|error| cannot_write(output.as_deref().unwrap_or("<stdout>"), &error))?;

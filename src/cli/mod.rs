@@ -3,6 +3,7 @@
 mod build;
 mod builtin;
 mod check;
+mod compare_solvers;
 mod diff;
 mod emit;
 mod explain;
@@ -15,6 +16,7 @@ mod post;
 mod review;
 mod show;
 mod solve;
+mod solver;
 mod test;
 mod text_diff;
 mod workspace;
@@ -54,6 +56,7 @@ enum Command {
     Test(test::Arguments),
     Review(review::Arguments),
     Diff(diff::Arguments),
+    CompareSolvers(compare_solvers::Arguments),
     Explain(explain::Arguments),
 }
 
@@ -73,6 +76,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Test(arguments) => test::run(arguments, &report),
         Command::Review(arguments) => review::run(arguments, &report),
         Command::Diff(arguments) => diff::run(arguments, &report),
+        Command::CompareSolvers(arguments) => compare_solvers::run(arguments, &report),
         Command::Explain(arguments) => explain::run(arguments),
     };
     exit_code(outcome, &report)

@@ -6,9 +6,9 @@ use mach_command::post::{PostOptions, post};
 use mach_command::report::Report;
 use machc::diagnostic::{Code, Diagnostic, Place};
 use machc::model::machine::Model;
-use machc::plan::Interpreter;
 
 use super::machine::prepare;
+use super::solver::SolverOption;
 
 /// A machine that nothing can be posted for.
 pub(super) static NO_CONTROLLER: Code = Code {
@@ -36,6 +36,8 @@ pub(super) struct Arguments {
     /// The machine file
     machine: String,
     #[command(flatten)]
+    solver: SolverOption,
+    #[command(flatten)]
     post: PostOptions,
 }
 
@@ -44,7 +46,8 @@ pub(super) fn run(arguments: Arguments, report: &mut Report) -> Result<Status, F
     let Some(dialect) = &prepared.model.dialect else {
         return Ok(report.tell(&[no_controller(&prepared.model, &arguments.machine)]));
     };
-    post(prepared.machine, dialect, &mut Interpreter::new(&prepared.plan), &arguments.post, report)
+    let mut inverse = arguments.solver.inverse(&prepared)?;
+    post(prepared.machine, dialect, inverse.kinematics_mut(), &arguments.post, report)
 }
 
 /// Nothing can be posted for this machine.

@@ -11,12 +11,13 @@ use mach_runtime::cl::event::{Approach, Point};
 use mach_runtime::kinematics::LANES;
 use mach_runtime::machine::Machine;
 use mach_runtime::path::{PathSolver, Solved};
-use machc::plan::Interpreter;
+use machc::numeric::Inverse;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
 use super::joints;
 use super::machine::{Prepared, prepare};
+use super::solver::SolverOption;
 
 /// Solve every point of a CL file, as JSON lines
 ///
@@ -33,6 +34,8 @@ pub(super) struct Arguments {
     /// The CL file, or the joint values; - reads standard input
     file: String,
     #[command(flatten)]
+    solver: SolverOption,
+    #[command(flatten)]
     options: Options,
 }
 
@@ -42,15 +45,21 @@ pub(super) fn run(arguments: Arguments, report: &mut Report) -> Result<Status, F
     if arguments.joints {
         joints::run(&prepared, &arguments.file, report)
     } else {
-        solve(&prepared, &arguments.file, &arguments.options, report)
+        let inverse = arguments.solver.inverse(&prepared)?;
+        solve(&prepared, inverse, &arguments.file, &arguments.options, report)
     }
 }
 
-fn solve(prepared: &Prepared, cl: &str, options: &Options, report: &Report) -> Result<Status, Failure> {
+fn solve(
+    prepared: &Prepared,
+    mut inverse: Inverse,
+    cl: &str,
+    options: &Options,
+    report: &Report,
+) -> Result<Status, Failure> {
     let machine = &prepared.machine;
     let mut reader = options.reader(cl, machine, report)?;
-    let mut kinematics = Interpreter::new(&prepared.plan);
-    let mut path = PathSolver::new(machine, &mut kinematics);
+    let mut path = PathSolver::new(machine, inverse.kinematics_mut());
     let mut told = Collected::default();
     let mut lines = Lines::stdout();
     let mut unsolved: u64 = 0;

@@ -1,11 +1,13 @@
 //! The data sheet of a machine: what `machc show` prints.
 
-use super::equations::{Notation, number};
+use super::equations::number;
+use super::spelling::Spelling;
+use super::transformation::{self, Inverse};
 use crate::derive::family::{self, Rotary};
 use crate::derive::prove::Proof;
 use crate::model::machine::{Axis, Model};
 use crate::model::standing;
-use crate::plan::{Id, Interpreter, Plan};
+use crate::plan::{Interpreter, Plan};
 use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock, SolutionBlock};
 use mach_runtime::machine::{Motion, Rule, Written};
 use nalgebra::Vector3;
@@ -17,7 +19,7 @@ pub fn data_sheet(model: &Model, plan: &Plan, proof: &Proof) -> String {
     for (title, lines) in [
         ("axes", model.axes.iter().map(axis).collect()),
         ("constants", constants(model)),
-        ("forward transformation", forward(model, plan)),
+        ("forward transformation", transformation::forward(model, plan, Spelling::Plain).concat()),
         ("inverse transformation", inverse(model, plan)),
         ("reach", reach(model, plan)),
         ("proof", proved(proof)),
@@ -41,7 +43,7 @@ fn section(sheet: &mut String, title: &str, lines: Vec<String>) {
 }
 
 /// The structural code: `w C' A' b X Y Z t`.
-fn chain(model: &Model) -> String {
+pub(super) fn chain(model: &Model) -> String {
     let mut links: Vec<String> = model
         .chain
         .iter()
@@ -51,7 +53,7 @@ fn chain(model: &Model) -> String {
     format!("w {} t", links.join(" "))
 }
 
-fn axis(axis: &Axis) -> String {
+pub(super) fn axis(axis: &Axis) -> String {
     let (kind, preposition, unit) = match axis.motion {
         Motion::Linear => ("linear", "along", "mm"),
         Motion::Rotary => ("rotary", "about", "deg"),
@@ -77,69 +79,31 @@ fn axis(axis: &Axis) -> String {
     format!("{line}, travel {travel}{written}{rule}")
 }
 
-fn constants(model: &Model) -> Vec<String> {
+pub(super) fn constants(model: &Model) -> Vec<String> {
     let mut lines: Vec<String> = model.parameters.iter().map(|(name, value)| format!("{name} = {value}")).collect();
     lines.push(format!("tool axis at home {}, gauge point {}", vector(&model.tool.axis), vector(&model.tool.gauge_mm)));
     lines.push(format!("tool length L = {} mm, program zero {}", number(model.tool.length_mm), vector(&model.zero_mm)));
     lines
 }
 
-/// Tip (x, y, z) and tool axis (i, j, k) from the joints.
-fn forward(model: &Model, plan: &Plan) -> Vec<String> {
-    let axis = ["i", "j", "k"].into_iter().zip(plan.axis).collect::<Vec<_>>();
-    let tip = ["x", "y", "z"].into_iter().zip(plan.tip).collect::<Vec<_>>();
-    let mut notation = notation(model, plan);
-    [axis, tip].iter().flat_map(|outputs| equations(&mut notation, outputs)).collect()
-}
-
 /// The joints from tip and tool axis: the rotary ones for each branch, then the linear ones for either.
 fn inverse(model: &Model, plan: &Plan) -> Vec<String> {
-    let of_kind = |ids: &[Id], motion: Motion| -> Vec<(&str, Id)> {
-        let all = model.axes.iter().zip(ids);
-        all.filter(|(axis, _)| axis.motion == motion && axis.is_solved())
-            .map(|(axis, &id)| (axis.name.as_str(), id))
-            .collect()
-    };
-    let solutions: Vec<_> = plan.branches.iter().map(|branch| of_kind(&branch.joints, Motion::Rotary)).collect();
-    let linear = equations(&mut notation(model, plan), &of_kind(&plan.position, Motion::Linear));
-    let mut lines = given(model);
+    let Inverse { given, shared, solutions, linear } = transformation::inverse(model, plan, Spelling::Plain);
     if let [only] = &solutions[..] {
-        return [lines, equations(&mut notation(model, plan), only), linear].concat();
+        return given.into_iter().chain(shared).chain(only.clone()).chain(linear).collect();
     }
-    let mut notation = notation(model, plan);
-    let roots: Vec<Id> = solutions.iter().flatten().map(|&(_, id)| id).collect();
-    lines.extend(notation.shared(&roots));
-    for (index, solution) in solutions.iter().enumerate() {
+    let indented = |lines: Vec<String>| lines.into_iter().map(|line| format!("  {line}"));
+    let mut lines: Vec<String> = given.into_iter().chain(shared).collect();
+    for (index, solution) in solutions.into_iter().enumerate() {
         lines.push(format!("solution {}", index + 1));
-        lines.extend(solution.iter().map(|(name, id)| format!("  {}", notation.equation(name, *id))));
+        lines.extend(indented(solution));
     }
     lines.push("for either solution".to_owned());
-    lines.extend(linear.into_iter().map(|line| format!("  {line}")));
+    lines.extend(indented(linear));
     lines
 }
 
-/// What the inverse takes besides the pose.
-fn given(model: &Model) -> Vec<String> {
-    let surplus = model.axes.iter().filter(|axis| axis.rule.is_surplus());
-    let names: Vec<&str> = surplus.map(|axis| axis.name.as_str()).collect();
-    if names.is_empty() { Vec::new() } else { vec![format!("for any {}", names.join(", "))] }
-}
-
-/// What the outputs share, then the outputs.
-fn equations(notation: &mut Notation<'_>, outputs: &[(&str, Id)]) -> Vec<String> {
-    let roots: Vec<Id> = outputs.iter().map(|&(_, id)| id).collect();
-    let mut lines = notation.shared(&roots);
-    lines.extend(outputs.iter().map(|(name, id)| notation.equation(name, *id)));
-    lines
-}
-
-fn notation<'p>(model: &Model, plan: &'p Plan) -> Notation<'p> {
-    let mut names: Vec<String> = ["x", "y", "z", "i", "j", "k", "L"].map(str::to_owned).to_vec();
-    names.extend(model.axes.iter().map(|axis| axis.name.clone()));
-    Notation::new(&plan.graph, plan.graph.inputs().map(|(id, index)| (id, names[index].clone())))
-}
-
-fn reach(model: &Model, plan: &Plan) -> Vec<String> {
+pub(super) fn reach(model: &Model, plan: &Plan) -> Vec<String> {
     let turns = |axis: &&Axis| axis.motion == Motion::Rotary && axis.rule.is_surplus();
     let stands = |axis: &Axis| format!("{} at {} deg", axis.name, number(standing::value(axis)));
     let surplus: Vec<String> = model.axes.iter().filter(turns).map(stands).collect();

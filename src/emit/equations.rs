@@ -1,5 +1,6 @@
 //! The plan in a person's notation: `X = x cos C + y sin C`.
 
+use super::spelling::Spelling;
 use crate::plan::{Graph, Id, Op};
 use std::collections::BTreeMap;
 
@@ -14,14 +15,21 @@ enum Binding {
 /// Prints parts of one graph; what has a name is printed by it.
 pub struct Notation<'g> {
     graph: &'g Graph,
+    spelling: Spelling,
     names: BTreeMap<Id, String>,
     temporaries: usize,
 }
 
 impl<'g> Notation<'g> {
-    /// A notation with these names for inputs.
+    /// A plain notation with these names for inputs.
     pub fn new(graph: &'g Graph, inputs: impl IntoIterator<Item = (Id, String)>) -> Self {
-        Self { graph, names: inputs.into_iter().collect(), temporaries: 0 }
+        Self { graph, spelling: Spelling::Plain, names: inputs.into_iter().collect(), temporaries: 0 }
+    }
+
+    /// The same notation, spelled this way.
+    pub fn spelled(self, spelling: Spelling) -> Self {
+        let names = self.names.into_iter().map(|(id, name)| (id, spelling.name(&name))).collect();
+        Self { spelling, names, ..self }
     }
 
     /// One line each for what these share, as `t1 = …`; from then on it is printed by that name.
@@ -31,9 +39,10 @@ impl<'g> Notation<'g> {
 
     /// `NAME = …`; from then on the name stands for it.
     pub fn equation(&mut self, name: &str, id: Id) -> String {
+        let name = self.spelling.name(name);
         let line = format!("{name} = {}", self.operand(id, Binding::Sum));
         if !self.is_simple(id) {
-            self.names.entry(id).or_insert_with(|| name.to_owned());
+            self.names.entry(id).or_insert(name);
         }
         line
     }
@@ -46,7 +55,7 @@ impl<'g> Notation<'g> {
     fn introduce(&mut self, id: Id) -> String {
         let right = self.expression(id);
         self.temporaries += 1;
-        let name = format!("t{}", self.temporaries);
+        let name = self.spelling.name(&format!("t{}", self.temporaries));
         self.call(id, name.clone());
         format!("{name} = {right}")
     }
@@ -106,35 +115,36 @@ impl<'g> Notation<'g> {
             Some(name) => (name.clone(), Binding::Atom),
             None => self.print(id),
         };
-        if binding < least { format!("({text})") } else { text }
+        if binding < least { self.spelling.in_parentheses(&text) } else { text }
     }
 
     fn print(&self, id: Id) -> (String, Binding) {
         use Binding::{Atom, Product, Sum};
+        let spelling = self.spelling;
         if let Some((function, angle)) = self.half_angle(id) {
-            return (format!("{function}(½ {})", self.operand(angle, Atom)), Atom);
+            return (spelling.of_half_angle(function, &self.operand(angle, Atom)), Atom);
         }
         match self.graph.op(id) {
-            Op::Constant(value) if value < 0.0 => (number(value), Sum),
-            Op::Constant(value) => (number(value), Atom),
+            Op::Constant(value) if value < 0.0 => (spelling.number(value), Sum),
+            Op::Constant(value) => (spelling.number(value), Atom),
             Op::Input(index) => (self.names.get(&id).cloned().unwrap_or_else(|| format!("in{index}")), Atom),
             Op::Neg(_) | Op::Add(..) | Op::Sub(..) => (self.sum(id), Sum),
-            Op::Mul(a, b) if a == b => (format!("{}²", self.squared(a)), Atom),
+            Op::Mul(a, b) if a == b => (spelling.square(&self.squared(a)), Atom),
             Op::Mul(..) => match self.product(id) {
                 (true, text) => (format!("-{text}"), Sum),
                 (false, text) => (text, Product),
             },
+            Op::Div(a, b) if spelling == Spelling::Latex => {
+                (format!("\\frac{{{}}}{{{}}}", self.operand(a, Sum), self.operand(b, Sum)), Product)
+            }
             Op::Div(a, b) => (format!("{} / {}", self.operand(a, Product), self.operand(b, Atom)), Product),
-            Op::Sqrt(a) => (format!("√({})", self.operand(a, Sum)), Atom),
-            Op::Sin(a) => (format!("sin {}", self.operand(a, Atom)), Atom),
-            Op::Cos(a) => (format!("cos {}", self.operand(a, Atom)), Atom),
+            Op::Sqrt(a) => (spelling.root(&self.operand(a, Sum)), Atom),
+            Op::Sin(a) => (spelling.of_angle("sin", &self.operand(a, Atom)), Atom),
+            Op::Cos(a) => (spelling.of_angle("cos", &self.operand(a, Atom)), Atom),
             Op::Atan2(a, b) => self.function("atan2", &[a, b]),
             Op::Min(a, b) => self.function("min", &[a, b]),
             Op::Max(a, b) => self.function("max", &[a, b]),
-            Op::Select(a, b, c) => {
-                let [a, b, c] = [a, b, c].map(|part| self.operand(part, Product));
-                (format!("({b} if {a} > 0 else {c})"), Atom)
-            }
+            Op::Select(a, b, c) => (spelling.choice([a, b, c].map(|part| self.operand(part, Product))), Atom),
         }
     }
 
@@ -186,7 +196,7 @@ impl<'g> Notation<'g> {
     /// Whether a term is a number (and goes last), its sign, and what follows the sign.
     fn term(&self, id: Id, minus: bool) -> (u8, bool, String) {
         match self.graph.op(id) {
-            Op::Constant(value) => (1, minus != (value < 0.0), number(value.abs())),
+            Op::Constant(value) => (1, minus != (value < 0.0), self.spelling.number(value.abs())),
             Op::Mul(a, b) if a != b && !self.names.contains_key(&id) => {
                 let (negative, text) = self.product(id);
                 (0, minus != negative, text)
@@ -208,7 +218,7 @@ impl<'g> Notation<'g> {
         factors.sort_by_key(key);
         let minus = self.graph.as_constant(factors[0]).is_some_and(|value| value < 0.0);
         let print = |&id: &Id| match self.graph.as_constant(id) {
-            Some(value) => number(value.abs()),
+            Some(value) => self.spelling.number(value.abs()),
             None => self.operand(id, Binding::Product),
         };
         (minus, factors.iter().map(print).collect::<Vec<_>>().join(" "))
@@ -227,14 +237,16 @@ impl<'g> Notation<'g> {
 
     fn squared(&self, id: Id) -> String {
         match self.graph.op(id) {
-            Op::Sin(_) | Op::Cos(_) if !self.names.contains_key(&id) => format!("({})", self.operand(id, Binding::Sum)),
+            Op::Sin(_) | Op::Cos(_) if !self.names.contains_key(&id) => {
+                self.spelling.in_parentheses(&self.operand(id, Binding::Sum))
+            }
             _ => self.operand(id, Binding::Atom),
         }
     }
 
     fn function(&self, function: &str, arguments: &[Id]) -> (String, Binding) {
         let arguments: Vec<String> = arguments.iter().map(|&a| self.operand(a, Binding::Sum)).collect();
-        (format!("{function}({})", arguments.join(", ")), Binding::Atom)
+        (self.spelling.function(function, &arguments), Binding::Atom)
     }
 }
 

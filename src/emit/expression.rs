@@ -55,8 +55,8 @@ impl Expressions<'_> {
 
     fn part(&self, id: Id) -> (String, Binding) {
         match self.names.get(&id) {
-            Some(name) => (name.clone(), Binding::Atom),
-            None => self.print(id),
+            Some(name) if self.graph.as_constant(id).is_none() => (name.clone(), Binding::Atom),
+            _ => self.print(id),
         }
     }
 
@@ -68,7 +68,7 @@ impl Expressions<'_> {
             Op::Input(_) | Op::Sin(_) | Op::Cos(_) => (self.names[&id].clone(), Atom),
             Op::Neg(a) => (format!("-{}", self.operand(a, Atom)), Sign),
             Op::Add(a, b) => (self.sum(a, b), Sum),
-            Op::Sub(a, b) => (format!("{} - {}", self.operand(a, Sum), self.operand(b, Product)), Sum),
+            Op::Sub(a, b) => (self.difference(a, b), Sum),
             Op::Mul(a, b) => (self.product(a, b), Product),
             Op::Div(a, b) => (format!("{} / {}", self.operand(a, Product), self.operand(b, Atom)), Product),
             Op::Sqrt(a) => (self.call(language.sqrt, &[a]), Atom),
@@ -89,7 +89,23 @@ impl Expressions<'_> {
             return format!("{} {sign} {}", self.operand(b, Binding::Sum), number(offset.abs()));
         }
         let (first, second) = if self.needs_brackets_behind(a, b, Binding::Sum) { (b, a) } else { (a, b) };
-        format!("{} + {}", self.operand(first, Binding::Sum), self.operand(second, Binding::Product))
+        let (minus, second) = self.term(second);
+        format!("{} {} {second}", self.operand(first, Binding::Sum), if minus { '-' } else { '+' })
+    }
+
+    fn difference(&self, a: Id, b: Id) -> String {
+        let (minus, second) = self.term(b);
+        format!("{} {} {second}", self.operand(a, Binding::Sum), if minus { '+' } else { '-' })
+    }
+
+    /// Whether a term is a negative number times something, and the term without that sign.
+    fn term(&self, id: Id) -> (bool, String) {
+        if let (Op::Mul(factor, rest), false) = (self.graph.op(id), self.names.contains_key(&id))
+            && let Some(factor) = self.graph.as_constant(factor).filter(|factor| *factor < 0.0)
+        {
+            return (true, format!("{} * {}", number(-factor), self.operand(rest, Binding::Atom)));
+        }
+        (false, self.operand(id, Binding::Product))
     }
 
     /// A number stands first, and else what is a product itself.
@@ -140,6 +156,7 @@ mod tests {
         let difference = graph.sub(b, c);
         let product = graph.mul(b, c);
         let quotient = graph.div(b, c);
+        let scaled = graph.mul(minus_two, b);
         let nodes = [
             (graph.add(a, sum), "b + c + a"),
             (graph.sub(a, sum), "a - (b + c)"),
@@ -151,6 +168,8 @@ mod tests {
             (graph.div(quotient, a), "b / c / a"),
             (graph.add(minus_two, sum), "b + c - 2.0"),
             (graph.mul(minus_two, product), "-2.0 * (b * c)"),
+            (graph.add(a, scaled), "a - 2.0 * b"),
+            (graph.sub(a, scaled), "a + 2.0 * b"),
             (graph.neg(sum), "-(b + c)"),
             (graph.neg(product), "-(b * c)"),
             (graph.min(sum, a), "min(a, b + c)"),

@@ -118,6 +118,7 @@ struct Lister<'a> {
     expressions: Expressions<'a>,
     notation: Notation<'a>,
     names: Names,
+    temporaries: usize,
     /// The outputs that have their block.
     listed: BTreeSet<Id>,
     blocks: Vec<Block>,
@@ -141,6 +142,7 @@ impl<'a> Lister<'a> {
             expressions: Expressions { graph, language, names: BTreeMap::new() },
             notation: Notation::new(graph, graph.inputs().filter_map(symbol)),
             names: Names::new(language.reserved),
+            temporaries: 0,
             listed: BTreeSet::new(),
             blocks: Vec::new(),
         }
@@ -241,7 +243,7 @@ impl<'a> Lister<'a> {
         let (wanted, symbol) = match (root, self.meanings.get(&id)) {
             (Some(output), _) => (output.name.clone(), None),
             (None, Some((name, symbol))) => (name.clone(), Some(symbol.clone())),
-            (None, None) => (kind(self.graph.op(id)).to_owned(), None),
+            (None, None) => (self.name_by_kind(id), None),
         };
         let name = self.names.claim(&wanted);
         self.expressions.names.insert(id, name.clone());
@@ -250,25 +252,33 @@ impl<'a> Lister<'a> {
         }
         name
     }
-}
 
-/// What a node without a meaning is called.
-fn kind(op: Op) -> &'static str {
-    match op {
-        Op::Sqrt(_) => "root",
-        Op::Atan2(..) => "angle",
-        _ => "t",
+    /// The name of a node without a meaning.
+    fn name_by_kind(&mut self, id: Id) -> String {
+        match self.graph.op(id) {
+            Op::Sqrt(_) => "root".to_owned(),
+            Op::Atan2(..) => "angle".to_owned(),
+            _ => {
+                self.temporaries += 1;
+                format!("t{}", self.temporaries)
+            }
+        }
     }
 }
 
-/// The sines and cosines that were found without a trigonometric function, of outputs and of halves of angles.
+/// The sines and cosines that were found without a trigonometric function: of outputs, and of half an angle.
 fn meanings(graph: &Graph, function: &Function) -> BTreeMap<Id, (String, String)> {
     let mut meanings = BTreeMap::new();
     for (angle, sine, cosine) in graph.known_angles() {
         let output = function.outputs.iter().find(|output| output.id == angle && output.symbol.is_some());
-        let Some(Output { name, symbol: Some(symbol), .. }) = output else { continue };
+        let (name, symbol) = match output {
+            Some(Output { name, symbol: Some(symbol), .. }) => (format!("_{name}"), format!(" {symbol}")),
+            _ if graph.half_angle_of(sine).is_some() => ("_half".to_owned(), "_half".to_owned()),
+            _ => continue,
+        };
         for (function, node) in [("sin", sine), ("cos", cosine)] {
-            meanings.entry(node).or_insert_with(|| (format!("{function}_{name}"), format!("{function} {symbol}")));
+            let meaning = (format!("{function}{name}"), format!("{function}{symbol}"));
+            meanings.entry(node).or_insert(meaning);
         }
     }
     meanings
@@ -282,6 +292,12 @@ fn needed(graph: &Graph, outputs: &[Id]) -> BTreeSet<Id> {
         open.extend(graph.op(id).operands().filter(|&operand| needed.insert(operand)));
     }
     needed
+}
+
+/// Whether a function divides by what may be zero.
+pub fn divides(graph: &Graph, function: &Function) -> bool {
+    let outputs: Vec<Id> = function.outputs.iter().map(|output| output.id).collect();
+    needed(graph, &outputs).into_iter().any(|id| matches!(graph.op(id), Op::Div(..)))
 }
 
 /// Which nodes get a name: outputs, what is used twice, functions that are costly or do not read well inside of an

@@ -8,7 +8,7 @@ use mach_runtime::vector::Vec3;
 #[derive(Debug, Clone)]
 pub struct Interpreter {
     inverse: Program,
-    position: Program,
+    position: Program<1>,
     forward: Program,
     /// The forward chain with errors; its inputs go on with these.
     actual: Program,

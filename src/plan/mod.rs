@@ -3,14 +3,17 @@
 //! A [`Graph`] is built symbolically and simplifies as it grows. A [`Program`] is what is left of it for a set of
 //! outputs, with registers assigned; it is interpreted over blocks of poses. The same graph is printed as equations.
 
+mod derivative;
 mod graph;
 mod interpreter;
+mod jacobian;
 mod program;
 mod simplify;
 mod trigonometry;
 
 pub use graph::{Graph, Id, Op};
 pub use interpreter::Interpreter;
+pub use jacobian::{Jacobian, Pose};
 pub use program::Program;
 pub use trigonometry::{cos_constant, sin_constant, snap};
 
@@ -19,7 +22,8 @@ pub use trigonometry::{cos_constant, sin_constant, snap};
 pub struct Plan {
     /// The expressions.
     pub graph: Graph,
-    /// The candidates of the inverse; inputs are tip, axis, tool length and the surplus joints.
+    /// The candidates of the inverse; inputs are tip, axis, tool length and the surplus joints. None where there is no closed
+    /// form: then the inverse is iterated for.
     pub branches: Vec<Branch>,
     /// Zero inside the reach, else minus the angle to it.
     pub reach: Id,
@@ -78,6 +82,11 @@ pub const TOOL_LENGTH_INPUT: usize = 6;
 pub const JOINT_INPUT: usize = 7;
 
 impl Plan {
+    /// Whether the inverse was derived.
+    pub fn has_closed_form(&self) -> bool {
+        !self.branches.is_empty()
+    }
+
     /// The inputs of a plan for so many axes and errors.
     pub fn inputs(graph: &mut Graph, axes: usize, errors: usize) -> Inputs {
         Inputs {

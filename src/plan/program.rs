@@ -1,7 +1,7 @@
 //! A straight-line program: what a graph leaves to be done for a set of outputs, interpreted over blocks of lanes.
 
 use super::graph::{Graph, Id, Op};
-use mach_runtime::kinematics::{LANES, Lane};
+use mach_runtime::kinematics::LANES;
 
 /// Index of a register.
 type Register = usize;
@@ -34,16 +34,16 @@ enum Binary {
     Max,
 }
 
-/// A program with its registers. Inputs are the first registers, constants follow.
+/// A program with its registers, for `N` lanes at once. Inputs are the first registers, constants follow.
 #[derive(Debug, Clone)]
-pub struct Program {
+pub struct Program<const N: usize = LANES> {
     inputs: usize,
     steps: Vec<Step>,
     outputs: Vec<Register>,
-    registers: Vec<Lane>,
+    registers: Vec<[f64; N]>,
 }
 
-impl Program {
+impl<const N: usize> Program<N> {
     /// The program that computes `outputs` from `inputs` inputs.
     pub fn new(graph: &Graph, inputs: usize, outputs: &[Id]) -> Self {
         Assembler::new(graph, inputs, outputs).assemble()
@@ -60,13 +60,13 @@ impl Program {
     }
 
     /// The lane of an input, to be filled before [`Self::run`].
-    pub fn input(&mut self, index: usize) -> &mut Lane {
+    pub fn input(&mut self, index: usize) -> &mut [f64; N] {
         assert!(index < self.inputs, "a program has only its own inputs");
         &mut self.registers[index]
     }
 
     /// The lane of an output, after [`Self::run`].
-    pub fn output(&self, index: usize) -> &Lane {
+    pub fn output(&self, index: usize) -> &[f64; N] {
         &self.registers[self.outputs[index]]
     }
 
@@ -79,21 +79,21 @@ impl Program {
 }
 
 impl Step {
-    fn run(self, registers: &mut [Lane]) {
+    fn run<const N: usize>(self, registers: &mut [[f64; N]]) {
         match self {
             Step::Unary(Unary::Neg, target, a) => unary(registers, target, a, |a| -a),
             Step::Unary(Unary::Sqrt, target, a) => unary(registers, target, a, f64::sqrt),
             Step::Binary(kind, target, a, b) => kind.run(registers, target, a, b),
             Step::SinCos(sine, cosine, angle) => {
                 let [sine, cosine, angle] = disjoint(registers, [sine, cosine, angle]);
-                for lane in 0..LANES {
+                for lane in 0..N {
                     (sine[lane], cosine[lane]) = libm::sincos(angle[lane]);
                 }
             }
             Step::Select(target, [condition, a, b]) => {
                 let (condition, a, b) = (registers[condition], registers[a], registers[b]);
                 let target = &mut registers[target];
-                for lane in 0..LANES {
+                for lane in 0..N {
                     target[lane] = if condition[lane] > 0.0 { a[lane] } else { b[lane] };
                 }
             }
@@ -102,7 +102,7 @@ impl Step {
 }
 
 impl Binary {
-    fn run(self, registers: &mut [Lane], target: Register, a: Register, b: Register) {
+    fn run<const N: usize>(self, registers: &mut [[f64; N]], target: Register, a: Register, b: Register) {
         match self {
             Binary::Add => binary(registers, target, a, b, |a, b| a + b),
             Binary::Sub => binary(registers, target, a, b, |a, b| a - b),
@@ -116,30 +116,36 @@ impl Binary {
 }
 
 #[inline(always)]
-fn unary(registers: &mut [Lane], target: Register, a: Register, f: impl Fn(f64) -> f64) {
+fn unary<const N: usize>(registers: &mut [[f64; N]], target: Register, a: Register, f: impl Fn(f64) -> f64) {
     let [target, a] = disjoint(registers, [target, a]);
-    for lane in 0..LANES {
+    for lane in 0..N {
         target[lane] = f(a[lane]);
     }
 }
 
 #[inline(always)]
-fn binary(registers: &mut [Lane], target: Register, a: Register, b: Register, f: impl Fn(f64, f64) -> f64) {
+fn binary<const N: usize>(
+    registers: &mut [[f64; N]],
+    target: Register,
+    a: Register,
+    b: Register,
+    f: impl Fn(f64, f64) -> f64,
+) {
     if a == b {
         return unary(registers, target, a, |a| f(a, a));
     }
     let [target, a, b] = disjoint(registers, [target, a, b]);
-    for lane in 0..LANES {
+    for lane in 0..N {
         target[lane] = f(a[lane], b[lane]);
     }
 }
 
-fn disjoint<const N: usize>(registers: &mut [Lane], places: [Register; N]) -> [&mut Lane; N] {
+fn disjoint<const N: usize, const M: usize>(registers: &mut [[f64; N]], places: [Register; M]) -> [&mut [f64; N]; M] {
     registers.get_disjoint_mut(places).expect("a register is written while its operands are still held elsewhere")
 }
 
 /// Assigns registers: a register is used again once nothing reads its value any more.
-struct Assembler<'a> {
+struct Assembler<'a, const N: usize> {
     graph: &'a Graph,
     outputs: &'a [Id],
     inputs: usize,
@@ -148,11 +154,11 @@ struct Assembler<'a> {
     last_use: Vec<usize>,
     register: Vec<Option<Register>>,
     free: Vec<Register>,
-    registers: Vec<Lane>,
+    registers: Vec<[f64; N]>,
     steps: Vec<Step>,
 }
 
-impl<'a> Assembler<'a> {
+impl<'a, const N: usize> Assembler<'a, N> {
     fn new(graph: &'a Graph, inputs: usize, outputs: &'a [Id]) -> Self {
         let needed = needed(graph, outputs);
         let mut last_use = vec![0; graph.len()];
@@ -165,11 +171,11 @@ impl<'a> Assembler<'a> {
             last_use[output.index()] = usize::MAX;
         }
         let register = vec![None; graph.len()];
-        let registers = vec![[0.0; LANES]; inputs];
+        let registers = vec![[0.0; N]; inputs];
         Self { graph, outputs, inputs, needed, last_use, register, free: Vec::new(), registers, steps: Vec::new() }
     }
 
-    fn assemble(mut self) -> Program {
+    fn assemble(mut self) -> Program<N> {
         for index in 0..self.graph.len() {
             if self.needed[index] {
                 self.load(index);
@@ -189,7 +195,7 @@ impl<'a> Assembler<'a> {
     fn load(&mut self, index: usize) {
         match self.graph.op(id(index)) {
             Op::Constant(value) => {
-                self.registers.push([value; LANES]);
+                self.registers.push([value; N]);
                 self.register[index] = Some(self.registers.len() - 1);
             }
             Op::Input(input) => self.register[index] = Some(input),
@@ -238,7 +244,7 @@ impl<'a> Assembler<'a> {
     }
 
     fn fresh(&mut self) -> Register {
-        self.registers.push([0.0; LANES]);
+        self.registers.push([0.0; N]);
         self.registers.len() - 1
     }
 

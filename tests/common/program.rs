@@ -4,6 +4,7 @@ use super::machine::root;
 use mach_runtime::certificate::Certificate;
 use mach_runtime::cl::{Reader, ReaderOptions, quote};
 use mach_runtime::diagnostic::Diagnostic;
+use mach_runtime::kinematics::Kinematics;
 use mach_runtime::post::{Job, post};
 use machc::compile::Compiled;
 use machc::emit::tables;
@@ -21,17 +22,21 @@ pub(crate) struct Posted {
     pub(crate) diagnostics: Vec<Diagnostic>,
 }
 
-/// Posts a CL file; the path is from the package's folder.
+/// Posts a CL file by the closed form; the path is from the package's folder.
 pub(crate) fn posted(compiled: &Compiled, cl: &str) -> Posted {
+    posted_by(&mut Interpreter::new(&compiled.plan), compiled, cl)
+}
+
+/// Posts a CL file by these kinematics.
+pub(crate) fn posted_by(kinematics: &mut dyn Kinematics, compiled: &Compiled, cl: &str) -> Posted {
     let machine = tables::machine(&compiled.model);
     let dialect = compiled.model.dialect.as_ref().expect("a machine with a controller");
     let text = fs::read(root().join(cl)).unwrap_or_else(|error| panic!("{cl}: {error}"));
     let program = Path::new(cl).file_stem().and_then(|stem| stem.to_str()).expect("a name in UTF-8");
     let job = Job { file: cl, program, machine: &machine, dialect };
-    let mut kinematics = Interpreter::new(&compiled.plan);
     let reader = Reader::new(cl, text.as_slice(), ReaderOptions::of(&machine));
     let (mut nc, mut diagnostics) = (Vec::new(), Vec::new());
-    let certificate = post(job, &mut kinematics, reader, &mut nc, &mut |diagnostic| diagnostics.push(diagnostic))
+    let certificate = post(job, kinematics, reader, &mut nc, &mut |diagnostic| diagnostics.push(diagnostic))
         .expect("reading from and writing to memory does not fail");
     quote(&mut diagnostics, cl, text.as_slice()).expect("reading from memory does not fail");
     Posted { nc, certificate, diagnostics }

@@ -17,7 +17,8 @@ the CL asks for. `machc show MACHINE` prints the cone of directions that it can 
 A three-axis machine reaches one direction only, a four-axis machine those of a cone. A nutating head or table reaches
 a cone about its first rotary axis.
 
-Turn the workpiece or use another machine. If the CL is only rounded too coarsely, widen the tolerance:
+Turn the workpiece or use another machine. A solver that iterates (`--solver newton`, `--solver broyden`) says this too where
+it finds no way. If the CL is only rounded too coarsely, widen the tolerance:
 
     tolerance axis 0.01 deg",
 };

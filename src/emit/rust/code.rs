@@ -21,12 +21,18 @@ const RUST: Language = Language {
     ],
 };
 
-/// An argument: one number, or an array of them.
+/// The functions that the code calls, by their names.
+pub(super) const HELPERS: [(&str, &str); 2] = [
+    ("lesser", "/// The lesser of two.\nfn lesser(a: f64, b: f64) -> f64 { if a < b { a } else { b } }"),
+    ("greater", "/// The greater of two.\nfn greater(a: f64, b: f64) -> f64 { if a > b { a } else { b } }"),
+];
+
+/// An argument: one number, or an array of them. Inputs are meant by their places among the function's.
 pub(super) enum Argument {
-    /// The input of this place in the function's inputs.
+    /// An input.
     Number(usize),
-    /// A run of inputs, each with whether it is an angle that is given in degrees.
-    Array(Vec<(usize, bool)>),
+    /// A name for several inputs, each with whether it is an angle that is given in degrees.
+    Array(&'static str, Vec<(usize, bool)>),
 }
 
 /// What stands in the braces of a Rust function, and what its arguments are called.
@@ -45,7 +51,7 @@ impl Code {
         let mut listing = listing(graph, function, &RUST);
         let mut body = String::new();
         let arguments: Vec<String> =
-            arguments.iter().map(|argument| pattern(argument, &mut listing, &mut body)).collect();
+            arguments.iter().map(|argument| declared(argument, &mut listing, &mut body)).collect();
         for (block, comment) in listing.blocks.iter().zip(comments(function, &listing)) {
             body += "\n";
             body += &comment.iter().map(|line| format!("// {line}\n")).collect::<String>();
@@ -55,28 +61,29 @@ impl Code {
     }
 }
 
-/// The argument as a pattern; what is given in degrees is converted in the body.
-fn pattern(argument: &Argument, listing: &mut Listing, body: &mut String) -> String {
+/// The argument with its type; an array is taken apart in the body, and what is given in degrees is converted.
+fn declared(argument: &Argument, listing: &mut Listing, body: &mut String) -> String {
     match argument {
-        Argument::Number(input) => match &listing.inputs[*input] {
-            Some(name) => format!("{name}: f64"),
-            None => "_: f64".to_owned(),
-        },
-        Argument::Array(inputs) => {
-            let names: Vec<String> = inputs.iter().map(|&(input, deg)| element(input, deg, listing, body)).collect();
-            match names.iter().all(|name| name == "_") {
-                true => format!("_: [f64; {}]", names.len()),
-                false => format!("[{}]: [f64; {}]", names.join(", "), names.len()),
+        Argument::Number(input) => format!("{}: f64", listing.inputs[*input].as_deref().unwrap_or("_")),
+        Argument::Array(name, inputs) => {
+            let name = listing.names.claim(name);
+            let mut conversions = String::new();
+            let elements: Vec<String> =
+                inputs.iter().map(|&(input, deg)| element(input, deg, listing, &mut conversions)).collect();
+            let is_read = elements.iter().any(|element| element != "_");
+            if is_read {
+                *body += &format!("let [{}] = {name};\n{conversions}", elements.join(", "));
             }
+            format!("{}: [f64; {}]", if is_read { &name } else { "_" }, elements.len())
         }
     }
 }
 
-fn element(input: usize, in_degrees: bool, listing: &mut Listing, body: &mut String) -> String {
+fn element(input: usize, in_degrees: bool, listing: &mut Listing, conversions: &mut String) -> String {
     match listing.inputs[input].clone() {
         Some(name) if in_degrees => {
             let given = listing.names.claim(&format!("{name}_deg"));
-            *body += &format!("let {name} = {given}.to_radians();\n");
+            *conversions += &format!("let {name} = {given}.to_radians();\n");
             given
         }
         Some(name) => name,

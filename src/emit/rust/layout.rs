@@ -25,13 +25,18 @@ pub(super) fn laid_out(source: &str) -> String {
     let mut lines: Vec<String> = Vec::new();
     for line in prettyplease::unparse(&tree).lines() {
         match number(line) {
+            Some(number) if kept[number].is_empty() && opens(lines.last()) => {}
             Some(number) if kept[number].is_empty() => lines.push(String::new()),
             Some(number) => lines.push(line.replace(line.trim(), kept[number])),
             None => lines.push(line.to_owned()),
         }
     }
-    lines.dedup_by(|line, before| line.is_empty() && before.is_empty());
     lines.join("\n") + "\n"
+}
+
+/// Whether no blank line belongs behind a line.
+fn opens(line: Option<&String>) -> bool {
+    line.is_none_or(|line| line.is_empty() || line.ends_with('{'))
 }
 
 /// The number of a mark.
@@ -45,7 +50,7 @@ mod tests {
 
     #[test]
     fn comments_and_blank_lines_stay_between_statements() {
-        let source = "//! Head.\n\n// an item\nfn f(){\n  // 1 \"one\"\n  let a=1;\n\n// 2\nlet b =a;}";
+        let source = "//! Head.\n\n\n// an item\nfn f(){\n\n  // 1 \"one\"\n  let a=1;\n\n// 2\nlet b =a;}";
         let expected = "\
 //! Head.
 

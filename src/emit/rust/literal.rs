@@ -12,6 +12,21 @@ pub(super) trait Literal {
     fn literal(&self) -> String;
 }
 
+/// The functions that the literals call, by their names.
+pub(super) const HELPERS: [(&str, &str); 3] = [
+    (
+        "numbered",
+        "/// A line with a sequence number.
+fn numbered<const N: usize>(pieces: [Piece; N]) -> Line { Line { numbered: true, pieces: pieces.into() } }",
+    ),
+    (
+        "bare",
+        "/// A line without a sequence number.
+fn bare<const N: usize>(pieces: [Piece; N]) -> Line { Line { numbered: false, pieces: pieces.into() } }",
+    ),
+    ("text", "/// Printed as it is.\nfn text(text: &str) -> Piece { Piece::Text(text.to_owned()) }"),
+];
+
 /// Structs field by field; a field that is missing here is an error.
 macro_rules! structs {
     ($($name:ident { $($field:ident),* $(,)? })*) => {$(
@@ -65,7 +80,6 @@ structs! {
     Sequence { address, start, step, greatest }
     Codes { units, per_minute, per_revolution }
     Block { trigger, lines }
-    Line { numbered, pieces }
 }
 
 names! { Component Motion Strictness LengthUnit Point Trigger Value }
@@ -89,7 +103,7 @@ impl Literal for String {
 
 impl<T: Literal> Literal for Vec<T> {
     fn literal(&self) -> String {
-        format!("vec![{}]", list(self))
+        if self.is_empty() { "Vec::new()".to_owned() } else { format!("Vec::from([{}])", list(self)) }
     }
 }
 
@@ -142,10 +156,18 @@ impl Literal for Preference {
     }
 }
 
+/// By a function of [`HELPERS`], as the next one: there are many.
+impl Literal for Line {
+    fn literal(&self) -> String {
+        let Self { numbered, pieces } = self;
+        format!("{}([{}])", if *numbered { "numbered" } else { "bare" }, list(pieces))
+    }
+}
+
 impl Literal for Piece {
     fn literal(&self) -> String {
         match self {
-            Self::Text(text) => format!("Piece::Text({})", text.literal()),
+            Self::Text(text) => format!("text({text:?})"),
             Self::Modal { group, code } => format!("Piece::Modal {{ group: {group}, code: {code} }}"),
             Self::Axes(axes) => format!("Piece::Axes({})", axes.literal()),
             Self::Feed => "Piece::Feed".to_owned(),

@@ -21,7 +21,15 @@ pub fn rust(compiled: &Compiled) -> String {
     if compiled.plan.errors > 0 {
         code += &forward_actual_code(compiled);
     }
-    let parts = [header(compiled), solver(compiled), helpers(&code), code, machine(compiled), dialect(compiled)];
+    let tables = [machine(compiled), dialect(compiled)].join("\n");
+    let parts = [
+        header(compiled),
+        solver(compiled),
+        code.clone(),
+        called(&code::HELPERS, &code),
+        tables.clone(),
+        called(&literal::HELPERS, &tables),
+    ];
     laid_out(&parts.join("\n"))
 }
 
@@ -38,7 +46,7 @@ fn header(compiled: &Compiled) -> String {
 //!
 //! Lengths are in millimetres; angles are in radians inside of a function and in degrees outside.
 #![forbid(unsafe_code)]
-#![allow(unreachable_pub, clippy::approx_constant, clippy::wildcard_imports)]
+#![allow(unreachable_pub, clippy::approx_constant, clippy::needless_range_loop)]
 
 {uses_errors}use mach_runtime::kinematics::{{JointBlock, Kinematics, LANES, Lane, PoseBlock, SolutionBlock}};
 use mach_runtime::machine::*;
@@ -68,9 +76,7 @@ impl Kinematics for Solver {{
 
     fn free_axis(&self) -> Option<usize> {{ {free_axis} }}
 
-    fn surplus_axes(&self) -> &[usize] {{ &[{surplus}] }}
-
-    fn inverse(&mut self, poses: &PoseBlock, {surplus_lanes}: &[Lane], tool_length_mm: f64, out: &mut SolutionBlock) {{
+{surplus_axes}    fn inverse(&mut self, poses: &PoseBlock, {surplus_lanes}: &[Lane], tool_length_mm: f64, out: &mut SolutionBlock) {{
         for lane in 0..LANES {{
             let found = inverse(poses.tip(lane), poses.axis(lane), tool_length_mm{surplus_joints});
             for (lanes, joints) in out.branches.iter_mut().zip(found.joints) {{
@@ -100,7 +106,7 @@ impl Kinematics for Solver {{
         axes = compiled.model.axes.len(),
         branches = compiled.plan.branches.len(),
         free_axis = compiled.plan.free_axis.literal(),
-        surplus = surplus.iter().map(usize::to_string).collect::<Vec<_>>().join(", "),
+        surplus_axes = surplus_axes(surplus),
         surplus_lanes = if surplus.is_empty() { "_" } else { "surplus" },
         surplus_joints = if surplus.is_empty() { "" } else { ", std::array::from_fn(|joint| surplus[joint][lane])" },
         surplus_copies = surplus_copies(surplus),
@@ -117,6 +123,14 @@ fn surplus_copies(surplus: &[usize]) -> String {
     surplus.iter().enumerate().map(copy).collect()
 }
 
+/// The method of a machine with axes that the pose leaves open.
+fn surplus_axes(surplus: &[usize]) -> String {
+    if surplus.is_empty() {
+        return String::new();
+    }
+    format!("    fn surplus_axes(&self) -> &[usize] {{ &{surplus:?} }}\n\n")
+}
+
 /// The method of a machine with error tables.
 const FORWARD_ACTUAL: &str = "
     fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool_length_mm: f64, out: &mut PoseBlock) {
@@ -129,15 +143,10 @@ const FORWARD_ACTUAL: &str = "
     }
 ";
 
-/// The functions that the code calls by these names.
-fn helpers(code: &str) -> String {
-    let helper = |name: &str, what: &str, operator: char| {
-        let text = format!(
-            "/// {what}\n#[inline]\nfn {name}(a: f64, b: f64) -> f64 {{ if a {operator} b {{ a }} else {{ b }} }}\n\n"
-        );
-        if code.contains(&format!("{name}(")) { text } else { String::new() }
-    };
-    helper("lesser", "The lesser of two.", '<') + &helper("greater", "The greater of two.", '>')
+/// Those of some functions that the code calls by their names.
+fn called(functions: &[(&str, &str)], code: &str) -> String {
+    let is_called = |name: &str| code.contains(&format!("{name}("));
+    functions.iter().filter(|(name, _)| is_called(name)).map(|(_, text)| format!("\n{text}\n")).collect()
 }
 
 fn inverse_code(compiled: &Compiled) -> String {
@@ -145,11 +154,11 @@ fn inverse_code(compiled: &Compiled) -> String {
         .map(|(place, &axis)| (7 + place, compiled.plan.rotary[axis]))
         .collect();
     let mut arguments = vec![
-        Argument::Array(vec![(0, false), (1, false), (2, false)]),
-        Argument::Array(vec![(3, false), (4, false), (5, false)]),
+        Argument::Array("tip", vec![(0, false), (1, false), (2, false)]),
+        Argument::Array("axis", vec![(3, false), (4, false), (5, false)]),
         Argument::Number(6),
     ];
-    arguments.extend((!surplus.is_empty()).then_some(Argument::Array(surplus)));
+    arguments.extend((!surplus.is_empty()).then_some(Argument::Array("surplus", surplus)));
     let Code { arguments, body, outputs } = Code::of(&compiled.plan.graph, &inverse(compiled), &arguments);
     let (count, branches) = (compiled.model.axes.len(), compiled.plan.branches.len());
     let solutions: Vec<String> =
@@ -191,8 +200,11 @@ fn field(name: &str, value: &str) -> String {
 fn position_code(compiled: &Compiled) -> String {
     let (given, _) = given_and_solved(compiled);
     let given = given.iter().enumerate().map(|(place, &axis)| (4 + place, compiled.plan.rotary[axis])).collect();
-    let arguments =
-        [Argument::Array(vec![(0, false), (1, false), (2, false)]), Argument::Number(3), Argument::Array(given)];
+    let arguments = [
+        Argument::Array("tip", vec![(0, false), (1, false), (2, false)]),
+        Argument::Number(3),
+        Argument::Array("given", given),
+    ];
     let Code { arguments, body, outputs } = Code::of(&compiled.plan.graph, &position(compiled), &arguments);
     format!(
         "
@@ -215,14 +227,15 @@ fn forward_code(compiled: &Compiled) -> String {
 fn forward_actual_code(compiled: &Compiled) -> String {
     let mut arguments = joints_and_length(compiled);
     let first = compiled.model.axes.len() + 1;
-    arguments.push(Argument::Array((first..first + compiled.plan.errors).map(|input| (input, false)).collect()));
+    arguments
+        .push(Argument::Array("errors", (first..first + compiled.plan.errors).map(|input| (input, false)).collect()));
     let text = ("Tip and tool axis for these joints and these errors of the axes.", "forward_actual");
     pose_code(compiled, text, &forward_actual(compiled), &arguments)
 }
 
 fn joints_and_length(compiled: &Compiled) -> Vec<Argument> {
     let joints = compiled.plan.rotary.iter().copied().enumerate().collect();
-    vec![Argument::Array(joints), Argument::Number(compiled.model.axes.len())]
+    vec![Argument::Array("joints", joints), Argument::Number(compiled.model.axes.len())]
 }
 
 fn pose_code(compiled: &Compiled, (what, name): (&str, &str), function: &Function, arguments: &[Argument]) -> String {
