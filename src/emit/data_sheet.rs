@@ -88,13 +88,12 @@ pub(super) fn constants(model: &Model) -> Vec<String> {
 
 /// The joints from tip and tool axis: the rotary ones for each branch, then the linear ones for either.
 fn inverse(model: &Model, plan: &Plan) -> Vec<String> {
-    let Inverse { shared, solutions, linear } = transformation::inverse(model, plan, Spelling::Plain);
-    let mut lines = given(model);
-    lines.extend(shared);
+    let Inverse { given, shared, solutions, linear } = transformation::inverse(model, plan, Spelling::Plain);
     if let [only] = &solutions[..] {
-        return [lines, only.clone(), linear].concat();
+        return given.into_iter().chain(shared).chain(only.clone()).chain(linear).collect();
     }
     let indented = |lines: Vec<String>| lines.into_iter().map(|line| format!("  {line}"));
+    let mut lines: Vec<String> = given.into_iter().chain(shared).collect();
     for (index, solution) in solutions.into_iter().enumerate() {
         lines.push(format!("solution {}", index + 1));
         lines.extend(indented(solution));
@@ -102,13 +101,6 @@ fn inverse(model: &Model, plan: &Plan) -> Vec<String> {
     lines.push("for either solution".to_owned());
     lines.extend(indented(linear));
     lines
-}
-
-/// What the inverse takes besides the pose.
-pub(super) fn given(model: &Model) -> Vec<String> {
-    let surplus = model.axes.iter().filter(|axis| axis.rule.is_surplus());
-    let names: Vec<&str> = surplus.map(|axis| axis.name.as_str()).collect();
-    if names.is_empty() { Vec::new() } else { vec![format!("for any {}", names.join(", "))] }
 }
 
 pub(super) fn reach(model: &Model, plan: &Plan) -> Vec<String> {

@@ -28,8 +28,11 @@ pub fn equations(model: &Model, plan: &Plan) -> String {
     page
 }
 
-fn inverse(page: &mut String, Inverse { shared, solutions, linear }: Inverse) {
+fn inverse(page: &mut String, Inverse { given, shared, solutions, linear }: Inverse) {
     heading(page, "Inverse transformation");
+    if let Some(given) = given {
+        write!(page, "\n{}:\n", given.replacen('f', "F", 1)).expect("writing to a string does not fail");
+    }
     display(page, &shared);
     if let [only] = &solutions[..] {
         display(page, only);

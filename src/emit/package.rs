@@ -1,10 +1,12 @@
 //! A machine as a Cargo package of its own, in a workspace that holds all it needs of machc.
 //!
-//!     Cargo.toml, Cargo.lock
-//!     runtime/, command/             as in machc itself
-//!     NAME-post/Cargo.toml
-//!     NAME-post/src/main.rs          the command
-//!     NAME-post/src/machine.rs       what was generated
+//! ```text
+//! Cargo.toml, Cargo.lock
+//! runtime/, command/             as in machc itself
+//! NAME-post/Cargo.toml
+//! NAME-post/src/main.rs          the command
+//! NAME-post/src/machine.rs       what was generated
+//! ```
 //!
 //! A second machine in the same workspace adds a package and builds nothing anew but itself.
 

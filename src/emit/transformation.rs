@@ -8,6 +8,8 @@ use mach_runtime::machine::Motion;
 
 /// The joints from tip and tool axis.
 pub(super) struct Inverse {
+    /// The axes of which any value is taken, if there are any: `for any A`.
+    pub(super) given: Option<String>,
     /// What the solutions share.
     pub(super) shared: Vec<String>,
     /// The rotary joints: one for each branch.
@@ -38,7 +40,14 @@ pub(super) fn inverse(model: &Model, plan: &Plan, spelling: Spelling) -> Inverse
     let shared = notation.shared(&roots);
     let mut solution =
         |branch: &Vec<(&str, Id)>| branch.iter().map(|(name, id)| notation.equation(name, *id)).collect();
-    Inverse { shared, solutions: branches.iter().map(&mut solution).collect(), linear }
+    Inverse { given: given(model), shared, solutions: branches.iter().map(&mut solution).collect(), linear }
+}
+
+/// What the inverse takes besides the pose.
+fn given(model: &Model) -> Option<String> {
+    let surplus = model.axes.iter().filter(|axis| axis.rule.is_surplus());
+    let names: Vec<&str> = surplus.map(|axis| axis.name.as_str()).collect();
+    (!names.is_empty()).then(|| format!("for any {}", names.join(", ")))
 }
 
 /// What the outputs share, then the outputs.
