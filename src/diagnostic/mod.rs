@@ -5,10 +5,10 @@ pub use mach_runtime::render::{Style, render};
 
 use crate::check;
 use crate::derive::prove;
-use crate::model::{arithmetic, describe, evaluate, family, field, function, library, load, parameter};
+use crate::model::{arithmetic, describe, dh, evaluate, family, field, function, library, load, measured, parameter};
 
 /// The codes of the model and of the checks; those of the syntax are listed there.
-static CODES: [&Code; 35] = [
+static CODES: [&Code; 42] = [
     &load::CANNOT_READ,
     &load::USE_CYCLE,
     &library::DEFINED_TWICE,
@@ -23,12 +23,19 @@ static CODES: [&Code; 35] = [
     &family::LIKE_CYCLE,
     &check::preference::NO_ROTARY,
     &describe::DOES_NOT_TURN,
+    &measured::UNKNOWN_ERROR,
+    &measured::WRONG_FORM,
+    &dh::SAID_BY_BOTH,
+    &dh::NO_LINE,
     &check::direction::NO_DIRECTION,
     &check::parallel_rotaries::PARALLEL,
     &check::rotary_along_tool::ALONG_TOOL,
     &check::linear_span::NO_SPACE,
     &check::travel::UPSIDE_DOWN,
     &check::supported::NOT_SUPPORTED,
+    &check::idle_error::IDLE,
+    &check::error_rows::ROWS,
+    &check::error_size::TOO_LARGE,
     &evaluate::UNKNOWN_NAME,
     &function::UNKNOWN_FUNCTION,
     &field::WRONG_UNIT,

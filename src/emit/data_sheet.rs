@@ -1,6 +1,7 @@
 //! The data sheet of a machine: what `machc show` prints.
 
 use super::equations::{Notation, number};
+use super::measured;
 use crate::derive::family;
 use crate::derive::prove::Proof;
 use crate::model::machine::{Axis, Model};
@@ -14,6 +15,7 @@ pub fn data_sheet(model: &Model, plan: &Plan, proof: &Proof) -> String {
     let mut sheet = heading(model);
     for (title, lines) in [
         ("axes", model.axes.iter().map(axis).collect()),
+        ("errors", measured::errors(model)),
         ("constants", constants(model)),
         ("forward transformation", forward(model, plan)),
         ("inverse transformation", inverse(model, plan)),
@@ -118,6 +120,7 @@ fn equations(notation: &mut Notation<'_>, outputs: &[(&str, Id)]) -> Vec<String>
 fn notation<'p>(model: &Model, plan: &'p Plan) -> Notation<'p> {
     let mut names: Vec<String> = ["x", "y", "z", "i", "j", "k", "L"].map(str::to_owned).to_vec();
     names.extend(model.axes.iter().map(|axis| axis.name.clone()));
+    names.extend(model.errors.tables.iter().map(|table| model.error_name(table.component, table.axis, false)));
     Notation::new(&plan.graph, plan.graph.inputs().map(|(id, index)| (id, names[index].clone())))
 }
 
@@ -145,6 +148,6 @@ fn proved(proof: &Proof) -> Vec<String> {
     ]
 }
 
-fn vector(v: &Vector3<f64>) -> String {
+pub(super) fn vector(v: &Vector3<f64>) -> String {
     format!("({}, {}, {})", number(v.x), number(v.y), number(v.z))
 }

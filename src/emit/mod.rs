@@ -2,4 +2,5 @@
 
 pub mod data_sheet;
 pub mod equations;
+mod measured;
 pub mod tables;

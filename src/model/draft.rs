@@ -2,6 +2,7 @@
 
 use super::source::{Located, SourceMap};
 use crate::syntax::tree::{Link, Name, Preference};
+use mach_runtime::error_table::Component;
 use mach_runtime::machine::{Motion, Strictness};
 use nalgebra::Vector3;
 
@@ -17,6 +18,7 @@ pub(crate) struct Draft<'a> {
     /// In the order of declaration; no name twice.
     pub(crate) axes: Vec<AxisDraft>,
     pub(crate) tool: Option<ToolDraft>,
+    pub(crate) errors: Vec<ErrorDraft>,
     pub(crate) zero_mm: Option<Vector3<f64>>,
     pub(crate) axis_tolerance_deg: Option<f64>,
     pub(crate) chord_tolerance_mm: Option<f64>,
@@ -46,6 +48,24 @@ pub(crate) struct ToolDraft {
     pub(crate) along: Option<Located<Vector3<f64>>>,
     pub(crate) gauge_mm: Option<Vector3<f64>>,
     pub(crate) length_mm: Option<f64>,
+}
+
+/// A measured error of a declared axis.
+pub(crate) struct ErrorDraft {
+    /// Its name as this project writes it.
+    pub(crate) name: Located<String>,
+    /// Index into [`Draft::axes`].
+    pub(crate) axis: usize,
+    pub(crate) component: Component,
+    pub(crate) measured: Measured,
+}
+
+/// What was measured: millimetres or degrees.
+pub(crate) enum Measured {
+    /// Where the axis lies.
+    Location(f64),
+    /// By the position of the axis.
+    Table(Vec<Located<(f64, f64)>>),
 }
 
 /// How an axis is to be written.
