@@ -19,7 +19,8 @@ use std::io::{self, Read, Write};
 use std::ops::Range;
 
 pub use refusal::{
-    NO_FEED_RATE, OUT_OF_REACH, OUT_OF_TRAVEL, REPOSITION, REPOSITION_WARNING, SINGULAR, TOO_MANY_ERRORS,
+    NO_FEED_RATE, NOT_COMPENSATED, OUT_OF_REACH, OUT_OF_TRAVEL, REPOSITION, REPOSITION_WARNING, SINGULAR,
+    TOO_MANY_ERRORS,
 };
 
 /// So many errors are told; then the post gives up.
@@ -297,8 +298,16 @@ fn at_line(error: &WriteError, file: &str, line: u64) -> Diagnostic {
 }
 
 /// The codes that a post may raise by itself.
-pub static CODES: [&Code; 7] =
-    [&OUT_OF_REACH, &OUT_OF_TRAVEL, &REPOSITION, &SINGULAR, &TOO_MANY_ERRORS, &REPOSITION_WARNING, &NO_FEED_RATE];
+pub static CODES: [&Code; 8] = [
+    &OUT_OF_REACH,
+    &OUT_OF_TRAVEL,
+    &REPOSITION,
+    &SINGULAR,
+    &NOT_COMPENSATED,
+    &TOO_MANY_ERRORS,
+    &REPOSITION_WARNING,
+    &NO_FEED_RATE,
+];
 
 /// Whether a choice was forced by the travel in the middle of a cut.
 fn is_reposition(solved: &Solved<'_>) -> bool {
