@@ -114,43 +114,47 @@ impl Said<'_> {
             None => (format!("`{}` is no error of ISO 230", self.name.value), "unknown error"),
         };
         let diagnostic = Diagnostic::error(&UNKNOWN_ERROR, message).at(place.clone(), label);
-        let names = names(draft, self.value.is_err());
-        match nearest(&self.name.value, names.iter().map(String::as_str)) {
+        let names = names(draft, self.value.is_err(), read.map(|name| name.component));
+        let with_e = format!("E{}", self.name.value);
+        let meant = if read.is_none() && ErrorName::read(&with_e).is_some() {
+            Some(with_e.as_str())
+        } else {
+            nearest(&self.name.value, names.iter().map(String::as_str))
+        };
+        match meant {
             Some(meant) => diagnostic.suggest(Suggestion {
                 text: format!("did you mean `{meant}`?"),
                 place,
                 replacement: meant.to_owned(),
             }),
-            None => diagnostic.note(format!("errors with a value are {}", shown(&names))),
+            None => diagnostic.note(format!("there may be {}", shown(&names))),
         }
     }
 
     fn wrong_form(&self, evaluator: &Evaluator<'_>, name: ErrorName<'_>, is_location: bool) -> Diagnostic {
         let (written, axis) = (&self.name.value, name.axis);
-        let (message, other) = match is_location {
+        let (message, note) = match is_location {
             true => (
                 format!("{written} does not depend on the position of {axis}: it has one value"),
-                ErrorName { is_location: false, ..name },
+                format!("write `error {written} VALUE`"),
             ),
             false => (
                 format!("{written} depends on the position of {axis}: it has a table"),
-                ErrorName { is_location: true, ..name },
+                format!("write `error {written} {{ at POSITION: VALUE … }}`"),
             ),
-        };
-        let note = match is_location {
-            true => format!("write `error {written} VALUE`; {} is the error by positions", other.canonical()),
-            false => format!("write `error {written} {{ at POSITION: VALUE … }}`; {} has one value", other.canonical()),
         };
         Diagnostic::error(&WRONG_FORM, message).at(evaluator.place(self.at.source, &self.name.span), "").note(note)
     }
 }
 
-/// The errors that the machine's axes can have, by their names.
-fn names(draft: &Draft<'_>, of_location: bool) -> Vec<String> {
+/// The errors that the machine's axes can have, by their names; perhaps of one component only.
+fn names(draft: &Draft<'_>, of_location: bool, only: Option<Component>) -> Vec<String> {
     let of_axis = |axis: &crate::model::draft::AxisDraft| {
         let name = |component| ErrorName { component, is_location: of_location, axis: &axis.name.value }.canonical();
         let has_place = axis.motion == Motion::Rotary || !of_location;
-        let components = Component::ALL.into_iter().filter(move |component| has_place || component.is_turn());
+        let is_asked = move |component: &Component| only.is_none_or(|only| only == *component);
+        let components = Component::ALL.into_iter().filter(is_asked);
+        let components = components.filter(move |component| has_place || component.is_turn());
         components.map(name).collect::<Vec<_>>()
     };
     draft.axes.iter().flat_map(of_axis).collect()
