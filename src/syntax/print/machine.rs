@@ -120,7 +120,7 @@ fn word(strictness: &Spanned<Strictness>) -> &'static str {
 
 /// The parameters in columns, each with the comma behind it.
 fn dh_row(row: &DhRow) -> Line {
-    let DhRow::Link { axis, parameters } = row else { return Line::plain("bed") };
+    let DhRow::Link { axis, parameters } = row else { return Line::row(Table::Links, vec!["bed".to_owned()]) };
     let axis = axis.as_ref().map_or(String::new(), |axis| format!("{}{}:", axis.name.value, prime(axis.primed)));
     let last = parameters.len() - 1;
     let parameters = parameters.iter().enumerate();
