@@ -8,7 +8,7 @@ use mach_runtime::vector::{angle_rad, norm, sub};
 use machc::compile::{Compiled, Sources};
 use machc::derive::derive;
 use machc::emit::tables;
-use machc::model::errors::LocationError;
+use machc::model::errors::{Errors, LocationError};
 use machc::model::machine::{Joint, Model};
 use machc::plan::Interpreter;
 use nalgebra::{Isometry3, Point3, Rotation3, Translation3, UnitQuaternion, UnitVector3, Vector3};
@@ -252,6 +252,24 @@ const TABLES: &str = "
     error EBA { at -30: -10 urad  at 120: 20 urad }
     error EAC { at 0: 20 urad  at 90: -5 urad  at 180: -20 urad  at 360: 20 urad }
     error EZC { at 0: 10 um  at 200: -10 um  at 360: 10 um }";
+
+#[test]
+fn a_later_measurement_replaces_an_earlier_one_however_it_is_spelt() {
+    struct Later;
+    impl Sources for Later {
+        fn read(&self, path: &str) -> Result<String, String> {
+            let later = "use \"tmv710a_measured.mach\" machine later like tmv710a_measured {
+                error EXOC 1 um  error EXX { at 0: 2 um } }";
+            if path == "machines/later.mach" { Ok(later.to_owned()) } else { machine::Files.read(path) }
+        }
+    }
+    let [later, before] = ["later", "tmv710a_measured"]
+        .map(|name| machine::compiled(&format!("machines/{name}.mach"), &Later).model.errors);
+    assert_eq!((later.locations.len(), later.tables.len()), (before.locations.len(), before.tables.len()));
+    let value = |errors: &Errors| errors.locations.iter().find(|error| error.axis == 4).map(|error| error.value);
+    assert_eq!([value(&before), value(&later)], [Some(0.006), Some(0.001)]);
+    assert_eq!(later.tables[0].rows, [(0.0, 0.002)]);
+}
 
 #[test]
 fn a_program_is_posted_for_where_the_tool_really_is() {

@@ -106,10 +106,9 @@ impl<'m, K: Kinematics> Compensated<'m, K> {
 
     /// A candidate that does not put the tip where it should be has no joints.
     fn refuse_unsettled(&self, stand: &Stand, wanted: &PoseBlock, joints: &mut JointBlock) {
-        for lane in 0..LANES {
-            if norm(sub(stand.actual.tip(lane), wanted.tip(lane))) > TIP_BOUND_MM {
-                self.linear().for_each(|axis| joints[axis][lane] = f64::NAN);
-            }
+        let is_off = |lane: &usize| norm(sub(stand.actual.tip(*lane), wanted.tip(*lane))) > TIP_BOUND_MM;
+        for lane in (0..LANES).filter(is_off) {
+            self.linear().for_each(|axis| joints[axis][lane] = f64::NAN);
         }
     }
 

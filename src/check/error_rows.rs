@@ -1,8 +1,7 @@
 //! A table of errors that is no function of the position.
 
 use crate::diagnostic::{Code, Diagnostic};
-use crate::model::draft::{Draft, ErrorDraft, Measured};
-use crate::model::source::Located;
+use crate::model::draft::{Draft, ErrorDraft, Measured, MeasuredRow};
 use mach_runtime::machine::Motion;
 
 /// Rows that do not make a table.
@@ -35,7 +34,7 @@ fn report(draft: &Draft<'_>, error: &ErrorDraft) -> Option<Diagnostic> {
         let message = format!("the table of {name} has no rows");
         return Some(super::error(draft, &ROWS, message, &error.name.at, "nothing was measured"));
     };
-    let pair = |(a, b): (&Located<(f64, f64)>, &Located<(f64, f64)>), message: String, label: &str| {
+    let pair = |(a, b): (&MeasuredRow, &MeasuredRow), message: String, label: &str| {
         super::error(draft, &ROWS, message, &b.at, label).at(draft.sources.place(&a.at), "")
     };
     if let Some([a, b]) = rows.windows(2).find(|pair| pair[0].value.0 >= pair[1].value.0) {

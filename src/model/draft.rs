@@ -65,8 +65,11 @@ pub(crate) enum Measured {
     /// Where the axis lies.
     Location(f64),
     /// By the position of the axis.
-    Table(Vec<Located<(f64, f64)>>),
+    Table(Vec<MeasuredRow>),
 }
+
+/// Position (millimetres or degrees) and error (millimetres or degrees).
+pub(crate) type MeasuredRow = Located<(f64, f64)>;
 
 /// How an axis is to be written.
 pub(crate) struct WrittenDraft {

@@ -1,6 +1,6 @@
 //! `error` statements: a name of ISO 230, and a value or a table of values.
 
-use super::draft::{Draft, ErrorDraft, Measured};
+use super::draft::{Draft, ErrorDraft, Measured, MeasuredRow};
 use super::error_name::ErrorName;
 use super::evaluate::Evaluator;
 use super::field::{Field, Sign};
@@ -95,7 +95,7 @@ impl Said<'_> {
         rows: &Body<ErrorRow>,
         position: Field,
         error: Field,
-    ) -> Option<Vec<Located<(f64, f64)>>> {
+    ) -> Option<Vec<MeasuredRow>> {
         let source = self.at.source;
         let rows = rows.statements.iter().map(|row| {
             let position = evaluator.number(source, &row.node.position, position, Sign::Any);
