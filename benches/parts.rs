@@ -55,7 +55,7 @@ fn inverse_all_branches(bencher: Bencher<'_, '_>, name: &str) {
     let mut interpreter = Interpreter::new(&machine(name).plan);
     let mut solutions = SolutionBlock::new(interpreter.branch_count(), interpreter.axis_count());
     let poses = poses();
-    bencher.counter(ItemsCount::new(LANES)).bench_local(|| interpreter.inverse(&poses, 150.0, &mut solutions));
+    bencher.counter(ItemsCount::new(LANES)).bench_local(|| interpreter.inverse(&poses, &[], 150.0, &mut solutions));
 }
 
 #[divan::bench(args = MACHINES)]

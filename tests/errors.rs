@@ -149,7 +149,7 @@ fn four_corrections_put_the_tip_where_it_should_be() {
         let mut solutions = SolutionBlock::new(kinematics.branch_count(), kinematics.axis_count());
         for block in 0..4 {
             kinematics.forward(&joints(&model, block), model.tool.length_mm, &mut wanted);
-            kinematics.inverse(&wanted, model.tool.length_mm, &mut solutions);
+            kinematics.inverse(&wanted, &[], model.tool.length_mm, &mut solutions);
             for candidate in &solutions.branches {
                 kinematics.forward(candidate, model.tool.length_mm, &mut reached);
                 for lane in (0..LANES).filter(|&lane| !far(candidate, lane)) {
@@ -177,7 +177,7 @@ fn the_tool_axis_is_compensated_away_from_the_pole() {
         let (mut wanted, mut reached) = (PoseBlock::ZERO, PoseBlock::ZERO);
         let mut solutions = SolutionBlock::new(2, 5);
         kinematics.forward(&joints(&model, 0), model.tool.length_mm, &mut wanted);
-        kinematics.inverse(&wanted, model.tool.length_mm, &mut solutions);
+        kinematics.inverse(&wanted, &[], model.tool.length_mm, &mut solutions);
         for candidate in &solutions.branches {
             kinematics.forward(candidate, model.tool.length_mm, &mut reached);
             for lane in (0..LANES).filter(|&lane| solutions.pole_sine[lane] > 0.1) {

@@ -79,8 +79,9 @@ fn check(name: &str, Compiled { model, plan, .. }: &Compiled, row: &Row) {
     machine.forward(&block, model.tool.length_mm, &mut pose);
     assert!(norm(sub(pose.tip(0), row.tip)) <= BOUND, "{name}: {:?} is not {:?}", pose.tip(0), row.tip);
 
+    let surplus: Vec<_> = machine.surplus_axes().iter().map(|&axis| [wanted[axis]; LANES]).collect();
     let mut solutions = SolutionBlock::new(machine.branch_count(), machine.axis_count());
-    machine.inverse(&pose, model.tool.length_mm, &mut solutions);
+    machine.inverse(&pose, &surplus, model.tool.length_mm, &mut solutions);
     let is_wanted = |candidate: &Vec<[f64; LANES]>| {
         let same = |axis| if rotary(axis) { same_angle } else { close }(candidate[axis][0], wanted[axis]);
         (0..5).all(same)

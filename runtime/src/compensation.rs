@@ -80,7 +80,14 @@ impl<'m, K: Kinematics> Compensated<'m, K> {
     }
 
     /// Moves one candidate, given without errors, to where the errors take the tool to the wanted poses.
-    fn settle(&mut self, branch: usize, wanted: &PoseBlock, tool_length_mm: f64, joints: &mut JointBlock) {
+    fn settle(
+        &mut self,
+        branch: usize,
+        wanted: &PoseBlock,
+        surplus: &[Lane],
+        tool_length_mm: f64,
+        joints: &mut JointBlock,
+    ) {
         let without = joints.clone();
         let mut asked = wanted.clone();
         let mut keeps_angles = [false; LANES];
@@ -94,12 +101,12 @@ impl<'m, K: Kinematics> Compensated<'m, K> {
                 return;
             }
             asked = next;
-            self.branch(branch, &asked, tool_length_mm, joints);
+            self.branch(branch, &asked, surplus, tool_length_mm, joints);
             let newly = self.unsteady(&without, joints, wanted, &asked);
             if newly.contains(&true) {
                 (0..LANES).for_each(|lane| keeps_angles[lane] |= newly[lane]);
                 asked = stand.correct(wanted, &keeps_angles);
-                self.branch(branch, &asked, tool_length_mm, joints);
+                self.branch(branch, &asked, surplus, tool_length_mm, joints);
             }
         }
     }
@@ -117,8 +124,15 @@ impl<'m, K: Kinematics> Compensated<'m, K> {
         axes.filter(|(_, axis)| axis.motion == Motion::Linear).map(|(index, _)| index)
     }
 
-    fn branch(&mut self, branch: usize, asked: &PoseBlock, tool_length_mm: f64, joints: &mut JointBlock) {
-        self.inner.inverse(asked, tool_length_mm, &mut self.solutions);
+    fn branch(
+        &mut self,
+        branch: usize,
+        asked: &PoseBlock,
+        surplus: &[Lane],
+        tool_length_mm: f64,
+        joints: &mut JointBlock,
+    ) {
+        self.inner.inverse(asked, surplus, tool_length_mm, &mut self.solutions);
         joints.clone_from(&self.solutions.branches[branch]);
     }
 
@@ -151,11 +165,15 @@ impl<K: Kinematics> Kinematics for Compensated<'_, K> {
         self.inner.free_axis()
     }
 
-    fn inverse(&mut self, poses: &PoseBlock, tool_length_mm: f64, out: &mut SolutionBlock) {
-        self.inner.inverse(poses, tool_length_mm, out);
+    fn surplus_axes(&self) -> &[usize] {
+        self.inner.surplus_axes()
+    }
+
+    fn inverse(&mut self, poses: &PoseBlock, surplus: &[Lane], tool_length_mm: f64, out: &mut SolutionBlock) {
+        self.inner.inverse(poses, surplus, tool_length_mm, out);
         if !self.is_ideal() {
             for (branch, joints) in out.branches.iter_mut().enumerate() {
-                self.settle(branch, poses, tool_length_mm, joints);
+                self.settle(branch, poses, surplus, tool_length_mm, joints);
             }
         }
     }

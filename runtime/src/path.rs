@@ -65,7 +65,7 @@ impl<'a> PathSolver<'a> {
             let point = points.get(lane).unwrap_or(last);
             self.poses.set(lane, add(point.tip_mm, self.machine.zero_mm), point.axis);
         }
-        self.kinematics.inverse(&self.poses, self.machine.tool_length_mm, &mut self.solutions);
+        self.kinematics.inverse(&self.poses, &[], self.machine.tool_length_mm, &mut self.solutions);
         for (lane, point) in points.iter().enumerate() {
             let is_first = !self.chooser.has_position();
             let in_cut = !is_first && matches!(point.approach, Approach::Feed(_));

@@ -34,6 +34,8 @@ pub fn derive(model: &Model) -> Plan {
         branches,
         reach: orientation.reach,
         pole_sine: orientation.pole_sine,
+        gap: graph.constant(0.0),
+        surplus: Vec::new(),
         free_axis: chain.free_axis(),
         position: chain.joint_values(&mut graph, &given, &placed, &inputs.joints),
         tip,

@@ -107,7 +107,9 @@ fn replace(evaluator: &mut Evaluator<'_>, draft: &mut Draft<'_>, body: &Body<DhR
     links.push(Link::Tool(at.span.clone()));
     draft.chain = Some(Located { value: links, at: at.clone() });
     if draft.tool.is_none() {
+        let last = body.statements.last().map_or(&at.span, |row| &row.span);
         draft.tool = Some(ToolDraft {
+            at: at.with(last),
             along: frame.as_ref().map(|frame| Located { value: frame.z(), at: at.clone() }),
             gauge_mm: frame.map(|frame| frame.origin_mm),
             length_mm: Some(0.0),

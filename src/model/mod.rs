@@ -20,6 +20,7 @@ pub(crate) mod library;
 pub(crate) mod load;
 pub mod machine;
 pub(crate) mod measured;
+pub mod origin;
 pub(crate) mod parameter;
 pub(crate) mod quantity;
 mod scalar;

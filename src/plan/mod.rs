@@ -19,15 +19,20 @@ pub use trigonometry::{cos_constant, sin_constant, snap};
 pub struct Plan {
     /// The expressions.
     pub graph: Graph,
-    /// The candidates of the inverse; inputs are tip, axis and tool length.
+    /// The candidates of the inverse; inputs are tip, axis, tool length and the surplus joints.
     pub branches: Vec<Branch>,
     /// Zero inside the reach, else minus the angle to it.
     pub reach: Id,
-    /// The sine of the angle between the wanted axis and the first rotary.
+    /// The sine of the angle between the wanted axis and the first rotary; the tip's distance from the rotary axis in
+    /// metres where the position decides it.
     pub pole_sine: Id,
     /// The axis that is free where `pole_sine` is zero.
     pub free_axis: Option<usize>,
-    /// The joints for given rotary joints; inputs are tip, tool length and the rotary joints.
+    /// Zero where the linear axes reach the tip, else how far it is from there, in millimetres.
+    pub gap: Id,
+    /// The axes whose values the inverse takes instead of giving.
+    pub surplus: Vec<usize>,
+    /// The joints for given rotary joints; inputs are tip, tool length, the rotary joints and the surplus ones.
     pub position: Vec<Id>,
     /// The tip, from tool length and joints.
     pub tip: [Id; 3],

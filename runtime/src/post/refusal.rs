@@ -67,7 +67,7 @@ pub static NOT_COMPENSATED: Code = Code {
     explanation: "\
 The machine has tables of errors, and they are compensated by moving the axes a little, looking up the errors there, and
 so on until nothing changes. Here it does not come to rest: a table changes too fast from one position to the next (by
-a good part of the distance between them), or the linear axes cannot hold the tip at this angle at all.
+a good part of the distance between them), or no linear axis moves the way that the error goes.
 
 Look for a wrong unit or a wrong row in the tables (`machc show MACHINE` prints their ranges).",
 };
