@@ -55,7 +55,7 @@ fn every_mistake_of_a_file_is_told_at_its_own_place() {
         found(&text),
         [
             ("E0108", 2, 1),
-            ("E0107", 3, 10),
+            ("E0108", 3, 10),
             ("E0107", 4, 31),
             ("E0111", 5, 9),
             ("E0107", 6, 16),
@@ -118,6 +118,24 @@ fn a_message_says_what_was_found_and_what_would_have_fitted() {
     ] {
         assert_eq!(told(&in_machine(statement)), message);
     }
+}
+
+#[test]
+fn the_same_in_tables() {
+    for (statement, message) in [
+        ("error 5 um", "E0107 2:7 expected the name of an error such as `EX0C`, found `5`"),
+        ("error EX0C", "E0107 2:11 expected a value or `{`, found the end of the line"),
+        ("error EXX { at 0, 4 um }", "E0107 2:17 expected `:`, found `,`"),
+        ("error EXX { at 0: 1 um\n 5: 2 um }", "E0107 2:23 expected `at` or `}`, found the end of the line"),
+        ("error EXX { 0: 4 um }", "E0108 2:13 a statement cannot begin with `0`"),
+        ("dh { link C: 0, 0, 0, 0 }", "E0114 2:6 a link has five parameters, this has 4"),
+        ("dh { link 0, 0, 0, 0, 0, 0 }", "E0114 2:6 a link has five parameters, this has 6"),
+        ("dh { lnk C: 0, 0, 0, 0, 0 }", "E0108 2:6 there is no statement `lnk` in a `dh` block"),
+    ] {
+        assert_eq!(told(&in_machine(statement)), message);
+    }
+    let rows = "error EXX {\n at 0, 4 um\n at 1: 2\n at = 3\n}\ndh {\n link X: 1\n bed 2\n}";
+    assert_eq!(found(&in_machine(rows)), [("E0107", 3, 6), ("E0107", 5, 5), ("E0114", 8, 2), ("E0107", 9, 6)]);
 }
 
 #[test]

@@ -9,10 +9,10 @@ use crate::kinematics::{JointBlock, Kinematics, LANES, Lane, PoseBlock, Solution
 use crate::machine::{Machine, Motion};
 use crate::vector::{Vec3, add, angle_rad, cross, dot, norm, scale, sub};
 
-/// Two poses closer than this are the same: a tenth of what a machine is proved to.
-const SETTLED_MM: f64 = 1e-10;
+/// Two poses closer than this are the same: half of what a machine is proved to.
+const SETTLED_MM: f64 = 5e-10;
 /// See [`SETTLED_MM`].
-const SETTLED_RAD: f64 = 1e-13;
+const SETTLED_RAD: f64 = 5e-13;
 
 /// A tip farther off than this when the iteration ends is not compensated.
 const TIP_BOUND_MM: f64 = 1e-9;
@@ -23,7 +23,7 @@ const MOST_CORRECTIONS: usize = 16;
 /// Where turning the tool by some angle takes a rotary axis through more than so many times that angle (next to a pole, or
 /// to the edge of the reach), its own errors' turn is not worth the motion: the rotary axes stay where they are without
 /// errors, and only the tip is compensated.
-const MOST_GAIN: f64 = 100.0;
+const MOST_GAIN: f64 = 25.0;
 
 /// Kinematics of a machine with its error tables, around those of the machine as it should be. Without tables it does what
 /// the kinematics inside does.
@@ -96,18 +96,32 @@ impl<'m, K: Kinematics> Compensated<'m, K> {
             let next = stand.correct(wanted, &keeps_angles);
             let settled = (0..LANES).all(|lane| is_settled(&asked, &next, lane));
             if settled || correction == MOST_CORRECTIONS {
-                refuse_unsettled(&stand, wanted, joints);
+                self.refuse_unsettled(&stand, wanted, joints);
                 self.most_corrections = self.most_corrections.max(correction);
                 return;
             }
             asked = next;
             self.branch(branch, &asked, surplus, tool_length_mm, joints);
-            if correction == 0 {
-                keeps_angles = self.unsteady(&without, joints, wanted, &asked);
+            let newly = self.unsteady(&without, joints, wanted, &asked);
+            if newly.contains(&true) {
+                (0..LANES).for_each(|lane| keeps_angles[lane] |= newly[lane]);
                 asked = stand.correct(wanted, &keeps_angles);
                 self.branch(branch, &asked, surplus, tool_length_mm, joints);
             }
         }
+    }
+
+    /// A candidate that does not put the tip where it should be has no joints.
+    fn refuse_unsettled(&self, stand: &Stand, wanted: &PoseBlock, joints: &mut JointBlock) {
+        let is_off = |lane: &usize| norm(sub(stand.actual.tip(*lane), wanted.tip(*lane))) > TIP_BOUND_MM;
+        for lane in (0..LANES).filter(is_off) {
+            self.linear().for_each(|axis| joints[axis][lane] = f64::NAN);
+        }
+    }
+
+    fn linear(&self) -> impl Iterator<Item = usize> + 'm {
+        let axes = self.machine.axes.iter().enumerate();
+        axes.filter(|(_, axis)| axis.motion == Motion::Linear).map(|(index, _)| index)
     }
 
     fn branch(
@@ -175,8 +189,9 @@ impl<K: Kinematics> Kinematics for Compensated<'_, K> {
             let stand = self.stand(&block, tool_length_mm);
             let next = add(tip_mm, sub(stand.ideal.tip(0), stand.actual.tip(0)));
             if norm(sub(next, asked)) <= SETTLED_MM || correction == MOST_CORRECTIONS {
-                let is_off = norm(sub(stand.actual.tip(0), tip_mm)) > TIP_BOUND_MM;
-                joints.iter_mut().filter(|_| is_off).for_each(|joint| *joint = f64::NAN);
+                if norm(sub(stand.actual.tip(0), tip_mm)) > TIP_BOUND_MM {
+                    self.linear().for_each(|axis| joints[axis] = f64::NAN);
+                }
                 self.most_corrections = self.most_corrections.max(correction);
                 return;
             }
@@ -220,15 +235,6 @@ fn deviation(table: &ErrorTable, machine: &Machine, joint: &Lane) -> Lane {
 fn is_settled(a: &PoseBlock, b: &PoseBlock, lane: usize) -> bool {
     let moves = norm(sub(a.tip(lane), b.tip(lane))) > SETTLED_MM || angle_rad(a.axis(lane), b.axis(lane)) > SETTLED_RAD;
     !moves
-}
-
-/// A candidate that does not put the tip where it should be has no joints.
-fn refuse_unsettled(stand: &Stand, wanted: &PoseBlock, joints: &mut JointBlock) {
-    for lane in 0..LANES {
-        if norm(sub(stand.actual.tip(lane), wanted.tip(lane))) > TIP_BOUND_MM {
-            joints.iter_mut().for_each(|joint| joint[lane] = f64::NAN);
-        }
-    }
 }
 
 /// `v` turned as `from` is turned into `to` by the shortest way; these are next to each other.

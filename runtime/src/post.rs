@@ -19,8 +19,8 @@ use std::io::{self, Read, Write};
 use std::ops::Range;
 
 pub use refusal::{
-    INSIDE_DEAD_RADIUS, NO_FEED_RATE, OFF_PLANE, OUT_OF_REACH, OUT_OF_TRAVEL, REPOSITION, REPOSITION_WARNING, SINGULAR,
-    TOO_MANY_ERRORS,
+    INSIDE_DEAD_RADIUS, NO_FEED_RATE, NOT_COMPENSATED, OFF_PLANE, OUT_OF_REACH, OUT_OF_TRAVEL, REPOSITION,
+    REPOSITION_WARNING, SINGULAR, TOO_MANY_ERRORS,
 };
 
 /// So many errors are told; then the post gives up.
@@ -298,11 +298,12 @@ fn at_line(error: &WriteError, file: &str, line: u64) -> Diagnostic {
 }
 
 /// The codes that a post may raise by itself.
-pub static CODES: [&Code; 9] = [
+pub static CODES: [&Code; 10] = [
     &OUT_OF_REACH,
     &OUT_OF_TRAVEL,
     &REPOSITION,
     &SINGULAR,
+    &NOT_COMPENSATED,
     &TOO_MANY_ERRORS,
     &INSIDE_DEAD_RADIUS,
     &OFF_PLANE,

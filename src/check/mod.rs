@@ -7,6 +7,9 @@ pub(crate) mod axis_not_in_chain;
 pub(crate) mod axis_twice_in_chain;
 pub(crate) mod chain_ends;
 pub(crate) mod direction;
+pub(crate) mod error_rows;
+pub(crate) mod error_size;
+pub(crate) mod idle_error;
 pub(crate) mod linear_span;
 pub(crate) mod missing;
 pub(crate) mod narrow_word;
@@ -28,7 +31,7 @@ use crate::model::source::Location;
 /// A check: everything it finds in a draft.
 type Check = fn(&Draft<'_>) -> Vec<Diagnostic>;
 
-static CHECKS: [Check; 14] = [
+static CHECKS: [Check; 17] = [
     missing::check,
     chain_ends::check,
     unknown_axis::check,
@@ -43,6 +46,9 @@ static CHECKS: [Check; 14] = [
     travel::check,
     preference::check,
     written_range::check,
+    idle_error::check,
+    error_rows::check,
+    error_size::check,
 ];
 
 /// Everything that all checks find.

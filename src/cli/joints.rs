@@ -7,6 +7,7 @@ use mach_command::outcome::{Failure, Status};
 use mach_command::output::Lines;
 use mach_command::progress::watched;
 use mach_command::report::Report;
+use mach_runtime::compensation::Compensated;
 use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock};
 use mach_runtime::machine::Machine;
 use mach_runtime::vector::sub;
@@ -48,7 +49,7 @@ struct Pose {
 pub(super) fn run(prepared: &Prepared, file: &str, report: &Report) -> Result<Status, Failure> {
     let (input, bytes) = open(file)?;
     let mut input = BufReader::new(watched(input, bytes, report));
-    let mut kinematics = Interpreter::new(&prepared.plan);
+    let mut kinematics = Compensated::new(Interpreter::new(&prepared.plan), &prepared.machine);
     let mut lines = Lines::stdout();
     let mut errors = Vec::new();
     let mut text = Vec::new();
@@ -86,7 +87,7 @@ fn values(machine: &Machine, text: &str) -> Result<Option<Vec<f64>>, String> {
     machine.axes.iter().enumerate().map(value).collect::<Result<_, _>>().map(Some)
 }
 
-fn pose(machine: &Machine, kinematics: &mut Interpreter, values: &[f64], line: u64) -> Pose {
+fn pose(machine: &Machine, kinematics: &mut dyn Kinematics, values: &[f64], line: u64) -> Pose {
     let joints = values.iter().map(|value| [*value; LANES]).collect();
     let mut poses = PoseBlock::ZERO;
     kinematics.forward(&joints, machine.tool_length_mm, &mut poses);

@@ -4,6 +4,7 @@ use crate::plan::{Interpreter, Plan};
 use mach_runtime::branch::{Candidate, Choice};
 use mach_runtime::certificate::Range;
 use mach_runtime::cl::event::Point;
+use mach_runtime::compensation::Compensated;
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, PoseBlock};
 use mach_runtime::machine::Machine;
 use mach_runtime::nc::axis_word::AxisWord;
@@ -61,7 +62,7 @@ pub(super) struct Walker<'a> {
     path: PathSolver<'a>,
     words: Vec<AxisWord>,
     /// A second one, for where printed words take the tool.
-    forward: Interpreter,
+    forward: Compensated<'a, Interpreter>,
     joints: JointBlock,
     poses: PoseBlock,
     pub(super) ranges: Vec<Range>,
@@ -75,7 +76,7 @@ impl<'a> Walker<'a> {
             machine,
             path: PathSolver::new(machine, inverse),
             words: words.map(|(word, axis)| AxisWord::new(word, axis, dialect.units)).collect(),
-            forward: Interpreter::new(plan),
+            forward: Compensated::new(Interpreter::new(plan), machine),
             joints: vec![[0.0; LANES]; machine.axes.len()],
             poses: PoseBlock::ZERO,
             ranges: machine.axes.iter().map(Range::new).collect(),

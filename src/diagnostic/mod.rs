@@ -6,10 +6,10 @@ pub use mach_runtime::render::{Style, render};
 use crate::check;
 use crate::derive::prove;
 use crate::emit::c;
-use crate::model::{arithmetic, describe, evaluate, family, field, function, library, load, parameter};
+use crate::model::{arithmetic, describe, dh, evaluate, family, field, function, library, load, measured, parameter};
 
 /// The codes of the model and of the checks; those of the syntax are listed there.
-static CODES: [&Code; 39] = [
+static CODES: [&Code; 46] = [
     &load::CANNOT_READ,
     &load::USE_CYCLE,
     &library::DEFINED_TWICE,
@@ -24,6 +24,10 @@ static CODES: [&Code; 39] = [
     &family::LIKE_CYCLE,
     &check::preference::NO_ROTARY,
     &describe::DOES_NOT_TURN,
+    &measured::UNKNOWN_ERROR,
+    &measured::WRONG_FORM,
+    &dh::SAID_BY_BOTH,
+    &dh::NO_LINE,
     &check::direction::NO_DIRECTION,
     &check::parallel_rotaries::PARALLEL,
     &check::rotary_along_tool::ALONG_TOOL,
@@ -33,6 +37,9 @@ static CODES: [&Code; 39] = [
     &check::supported::SURPLUS,
     &check::surplus::NOT_SURPLUS,
     &check::surplus::OUT_OF_TRAVEL,
+    &check::idle_error::IDLE,
+    &check::error_rows::ROWS,
+    &check::error_size::TOO_LARGE,
     &evaluate::UNKNOWN_NAME,
     &function::UNKNOWN_FUNCTION,
     &field::WRONG_UNIT,

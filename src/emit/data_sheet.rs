@@ -1,6 +1,7 @@
 //! The data sheet of a machine: what `machc show` prints.
 
 use super::equations::number;
+use super::measured;
 use super::spelling::Spelling;
 use super::transformation::{self, Inverse};
 use crate::derive::family::{self, Rotary};
@@ -18,6 +19,7 @@ pub fn data_sheet(model: &Model, plan: &Plan, proof: &Proof) -> String {
     let mut sheet = heading(model);
     for (title, lines) in [
         ("axes", model.axes.iter().map(axis).collect()),
+        ("errors", measured::errors(model)),
         ("constants", constants(model)),
         ("forward transformation", transformation::forward(model, plan, Spelling::Plain).concat()),
         ("inverse transformation", inverse(model, plan)),
@@ -158,6 +160,6 @@ fn proved(proof: &Proof) -> Vec<String> {
     ]
 }
 
-fn vector(v: &Vector3<f64>) -> String {
+pub(super) fn vector(v: &Vector3<f64>) -> String {
     format!("({}, {}, {})", number(v.x), number(v.y), number(v.z))
 }

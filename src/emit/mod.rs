@@ -9,6 +9,7 @@ pub mod function;
 pub mod json;
 pub mod latex;
 pub mod listing;
+mod measured;
 pub mod names;
 pub mod package;
 pub mod rust;

@@ -1,10 +1,11 @@
 //! A draft in which the checks found nothing to a model.
 
-use super::draft::{AxisDraft, Draft, ToolDraft};
-use super::errors::Errors;
+use super::draft::{AxisDraft, Draft, ErrorDraft, Measured, ToolDraft};
+use super::errors::{Errors, LocationError};
 use super::machine::{Axis, Joint, Model, Tool};
 use super::source::Located;
 use crate::syntax::tree::{Link, Name, Preference as Said};
+use mach_runtime::error_table::ErrorTable;
 use mach_runtime::machine::{BranchPolicy, Preference, Rule, Strictness, Travel, Written};
 use nalgebra::Vector3;
 
@@ -37,7 +38,7 @@ pub(crate) fn build(draft: &Draft<'_>) -> Model {
         chain: links.iter().filter_map(|link| joint(draft, link)).collect(),
         bed: joints_before_bed(&links[..bed]),
         tool: build_tool(draft.tool.as_ref().expect(CHECKED)),
-        errors: Errors::default(),
+        errors: build_errors(draft),
         zero_mm: draft.zero_mm.unwrap_or_else(Vector3::zeros),
         axis_tolerance_rad: draft.axis_tolerance_deg.unwrap_or(AXIS_TOLERANCE_DEG).to_radians(),
         plane_tolerance_mm: draft.plane_tolerance_mm.unwrap_or(PLANE_TOLERANCE_MM),
@@ -79,6 +80,24 @@ fn build_tool(tool: &ToolDraft) -> Tool {
         gauge_mm: tool.gauge_mm.expect(CHECKED),
         length_mm: tool.length_mm.expect(CHECKED),
     }
+}
+
+fn build_errors(draft: &Draft<'_>) -> Errors {
+    let mut errors = Errors::default();
+    for ErrorDraft { axis, component, measured, .. } in &draft.errors {
+        let (axis, component) = (*axis, *component);
+        let value = |said: f64| if component.is_turn() { said.to_radians() } else { said };
+        match measured {
+            Measured::Location(said) => {
+                errors.locations.push(LocationError { axis, component, value: value(*said) });
+            }
+            Measured::Table(rows) => {
+                let rows = rows.iter().map(|row| (row.value.0, value(row.value.1))).collect();
+                errors.tables.push(ErrorTable { axis, component, rows });
+            }
+        }
+    }
+    errors
 }
 
 fn preferences(draft: &Draft<'_>, said: &[Located<Said>]) -> Vec<Preference> {

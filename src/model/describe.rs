@@ -7,6 +7,7 @@ use super::field::{Field, Sign};
 use super::library::{Entry, Library};
 use super::parameter::{self, Parameter};
 use super::source::{Located, Location, SourceMap};
+use super::{dh, measured};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::syntax::tree::{
     AxisClause, BranchStatement, ControllerStatement, Expression, MachineStatement, Name, Preference, Spanned,
@@ -44,7 +45,9 @@ pub(crate) fn describe<'a>(
     for statement in statements {
         statement_into(&mut evaluator, &mut draft, statement);
     }
+    dh::lower(&mut evaluator, &mut draft, statements);
     draft.ruled = ruled(&mut evaluator, &draft, statements);
+    measured::errors(&mut evaluator, &mut draft, statements);
     if let Some(controller) = controller {
         // A controller's definition stands alone: its expressions know no machine's parameters.
         let mut alone = Evaluator::new(library.sources);
@@ -72,6 +75,7 @@ fn empty<'a>(sources: &'a SourceMap, machine: &Entry<'_, MachineStatement>) -> D
         chain: None,
         axes: Vec::new(),
         tool: None,
+        errors: Vec::new(),
         zero_mm: None,
         axis_tolerance_deg: None,
         chord_tolerance_mm: None,
@@ -99,14 +103,21 @@ fn statement_into(evaluator: &mut Evaluator<'_>, draft: &mut Draft<'_>, statemen
     let source = statement.at.source;
     match &statement.value {
         MachineStatement::Let { .. } | MachineStatement::Controller { .. } => {}
+        // These need the axes.
+        MachineStatement::Dh(_) | MachineStatement::Error { .. } | MachineStatement::ErrorTable { .. } => {}
         MachineStatement::Chain(links) => {
             draft.chain = Some(Located { value: links.clone(), at: statement.at.clone() });
         }
         MachineStatement::Linear { name, along, clauses } => {
-            draft.axes.push(axis(evaluator, Motion::Linear, (name, along, None, clauses), &statement.at));
+            draft.axes.push(axis(evaluator, Motion::Linear, (name, along.as_ref(), None, clauses), &statement.at));
         }
         MachineStatement::Rotary { name, about, through, clauses } => {
-            draft.axes.push(axis(evaluator, Motion::Rotary, (name, about, through.as_ref(), clauses), &statement.at));
+            draft.axes.push(axis(
+                evaluator,
+                Motion::Rotary,
+                (name, about.as_ref(), through.as_ref(), clauses),
+                &statement.at,
+            ));
         }
         MachineStatement::Tool { along, at, length } => {
             draft.tool = Some(tool(evaluator, &statement.at, along, at.as_ref(), length.as_ref()));
@@ -187,7 +198,7 @@ fn direction(evaluator: &mut Evaluator<'_>, at: &Location, said: &Expression) ->
     Some(Located { value, at: at.with(&said.span) })
 }
 
-type AxisParts<'t> = (&'t Name, &'t Expression, Option<&'t Expression>, &'t [Spanned<AxisClause>]);
+type AxisParts<'t> = (&'t Name, Option<&'t Expression>, Option<&'t Expression>, &'t [Spanned<AxisClause>]);
 
 fn axis(
     evaluator: &mut Evaluator<'_>,
@@ -199,7 +210,7 @@ fn axis(
         at: at.clone(),
         name: Located { value: name.value.clone(), at: at.with(&name.span) },
         motion,
-        direction: direction(evaluator, at, along),
+        direction: along.and_then(|along| direction(evaluator, at, along)),
         point_mm: through.map_or(Some(Vector3::zeros()), |point| evaluator.point(at.source, point)),
         travel: None,
         rapid_per_min: None,

@@ -2,6 +2,7 @@
 
 use super::source::{Located, Location, SourceMap};
 use crate::syntax::tree::{Link, Name, Preference};
+use mach_runtime::error_table::Component;
 use mach_runtime::machine::{Motion, Rule, Strictness};
 use nalgebra::Vector3;
 
@@ -17,6 +18,7 @@ pub(crate) struct Draft<'a> {
     /// In the order of declaration; no name twice.
     pub(crate) axes: Vec<AxisDraft>,
     pub(crate) tool: Option<ToolDraft>,
+    pub(crate) errors: Vec<ErrorDraft>,
     pub(crate) zero_mm: Option<Vector3<f64>>,
     pub(crate) axis_tolerance_deg: Option<f64>,
     pub(crate) chord_tolerance_mm: Option<f64>,
@@ -63,6 +65,27 @@ pub(crate) struct RuleDraft {
     /// The whole statement.
     pub(crate) at: Location,
 }
+
+/// A measured error of a declared axis.
+pub(crate) struct ErrorDraft {
+    /// Its name as this project writes it.
+    pub(crate) name: Located<String>,
+    /// Index into [`Draft::axes`].
+    pub(crate) axis: usize,
+    pub(crate) component: Component,
+    pub(crate) measured: Measured,
+}
+
+/// What was measured: millimetres or degrees.
+pub(crate) enum Measured {
+    /// Where the axis lies.
+    Location(f64),
+    /// By the position of the axis.
+    Table(Vec<MeasuredRow>),
+}
+
+/// Position (millimetres or degrees) and error (millimetres or degrees).
+pub(crate) type MeasuredRow = Located<(f64, f64)>;
 
 /// How an axis is to be written.
 pub(crate) struct WrittenDraft {

@@ -1,5 +1,6 @@
 //! The measured errors of a machine, by their names of ISO 230-1 and ISO 230-7.
 
+use super::error_name::ErrorName;
 use super::machine::{Axis, Model};
 use mach_runtime::error_table::{Component, ErrorTable};
 use nalgebra::{Rotation3, Unit, Vector3};
@@ -34,6 +35,11 @@ pub struct Line {
 }
 
 impl Model {
+    /// The name of an error of an axis (an index) in ISO 230: `EX0C` for a location error, else `EXC`.
+    pub fn error_name(&self, component: Component, axis: usize, is_location: bool) -> String {
+        ErrorName { component, is_location, axis: &self.axes[axis].name }.canonical()
+    }
+
     /// Where an axis (an index) really lies: its line as it is declared, turned about x, then y, then z of the frame by its
     /// location errors A, B and C, and shifted by X, Y and Z.
     pub fn line(&self, axis: usize) -> Line {

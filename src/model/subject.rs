@@ -1,5 +1,6 @@
 //! What a statement is about: of two statements about the same thing the later definition's holds.
 
+use super::error_name::ErrorName;
 use crate::syntax::tree::{
     Body, BranchStatement, ControllerStatement, MachineStatement, Name, Span, Stated, ToleranceKind, Trivia,
 };
@@ -25,6 +26,8 @@ impl Statement for MachineStatement {
         let subject = match self {
             Self::Let { name, .. } => format!("let {}", name.value),
             Self::Chain(_) => "chain".to_owned(),
+            Self::Dh(_) => "dh".to_owned(),
+            Self::Error { name, .. } | Self::ErrorTable { name, .. } => error_subject(name),
             Self::Linear { name, .. } | Self::Rotary { name, .. } => format!("axis {}", name.value),
             Self::Tool { .. } => "tool".to_owned(),
             Self::Zero(_) => "zero".to_owned(),
@@ -58,6 +61,12 @@ impl Statement for MachineStatement {
     fn adds_to_family(&self) -> bool {
         matches!(self, Self::Controller { .. })
     }
+}
+
+/// However its zero is written.
+fn error_subject(name: &Name) -> String {
+    let canonical = ErrorName::read(&name.value).map(|name| name.canonical());
+    format!("error {}", canonical.as_ref().unwrap_or(&name.value))
 }
 
 fn branch_subject(statement: &BranchStatement) -> String {

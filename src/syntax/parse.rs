@@ -13,6 +13,7 @@ use grammar::{MachParser, Pair, Rule};
 use trivia::Comments;
 
 pub mod controller;
+pub mod dh;
 mod expected;
 pub mod expression;
 pub mod failure;
@@ -24,7 +25,7 @@ mod template;
 mod trivia;
 
 /// Every kind of mistake that the parser finds.
-pub static CODES: [&Code; 13] = [
+pub static CODES: [&Code; 14] = [
     &scan::TOO_LARGE,
     &scan::CONTROL_CHARACTER,
     &scan::UNTERMINATED_TEXT,
@@ -38,6 +39,7 @@ pub static CODES: [&Code; 13] = [
     &expression::VECTOR_LENGTH,
     &expression::TOO_LONG,
     &machine::CLAUSE_TWICE,
+    &dh::FIVE_PARAMETERS,
 ];
 
 /// Parses a file.
@@ -141,7 +143,7 @@ impl<'t> Builder<'_, 't> {
 }
 
 fn is_broken(pair: &Pair<'_>) -> bool {
-    matches!(pair.as_rule(), Rule::broken | Rule::broken_line)
+    matches!(pair.as_rule(), Rule::broken | Rule::broken_line | Rule::broken_row)
 }
 
 /// What a pair consists of, without keywords and delimiters.

@@ -105,12 +105,14 @@ pub enum MachineStatement {
     },
     /// `chain w C' A' b X Y Z t`.
     Chain(Vec<Link>),
+    /// `dh { … }`: the chain as a Denavit–Hartenberg table.
+    Dh(Body<DhRow>),
     /// `linear NAME along DIRECTION CLAUSE…`.
     Linear {
         /// The axis.
         name: Name,
-        /// Where a positive motion goes.
-        along: Expression,
+        /// Where a positive motion goes; a `dh` block says it too.
+        along: Option<Expression>,
         /// Travel and rapid, in any order, each at most once.
         clauses: Vec<Spanned<AxisClause>>,
     },
@@ -118,12 +120,26 @@ pub enum MachineStatement {
     Rotary {
         /// The axis.
         name: Name,
-        /// Its direction; right-handed.
-        about: Expression,
+        /// Its direction; right-handed. A `dh` block says it too.
+        about: Option<Expression>,
         /// A point on it; the origin where nothing is said.
         through: Option<Expression>,
         /// Travel and rapid.
         clauses: Vec<Spanned<AxisClause>>,
+    },
+    /// `error EX0C 12 um`: a measured error that does not depend on a position.
+    Error {
+        /// Its name in ISO 230.
+        name: Name,
+        /// A length or an angle.
+        value: Expression,
+    },
+    /// `error EXX { at -300 mm: 4 um … }`: a measured error by the positions of its axis.
+    ErrorTable {
+        /// Its name in ISO 230.
+        name: Name,
+        /// Its rows.
+        rows: Body<ErrorRow>,
     },
     /// `tool along DIRECTION at POINT length EXPRESSION`.
     Tool {
@@ -172,6 +188,38 @@ pub enum Link {
         /// Whether it has a prime.
         primed: bool,
     },
+}
+
+/// One row of a Denavit–Hartenberg table.
+#[derive(Debug, Clone, PartialEq)]
+pub enum DhRow {
+    /// `link C: θ, a, b, l, α`: a link, with the axis that moves it where one does.
+    Link {
+        /// The axis: a rotary one adds to θ, a linear one to l.
+        axis: Option<DhAxis>,
+        /// θ, a, b, l, α.
+        parameters: [Expression; 5],
+    },
+    /// `bed`.
+    Bed(Span),
+}
+
+/// The axis of a link.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DhAxis {
+    /// Its name, without the prime.
+    pub name: Name,
+    /// Whether it has a prime.
+    pub primed: bool,
+}
+
+/// One row of a table of errors: `at POSITION: ERROR`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ErrorRow {
+    /// Where the axis is.
+    pub position: Expression,
+    /// What its error is there.
+    pub error: Expression,
 }
 
 /// A clause of an axis.

@@ -91,10 +91,17 @@ fn machine_statement() -> impl Strategy<Value = MachineStatement> {
     prop_oneof![
         2 => (name(), expression()).prop_map(|(name, value)| S::Let { name, value }),
         1 => vec(link(), 1..6).prop_map(S::Chain),
-        3 => (axis(), expression(), axis_clauses())
+        1 => body(dh_row(), 4).prop_map(S::Dh),
+        1 => (error_name(), expression()).prop_map(|(name, value)| S::Error { name, value }),
+        1 => (error_name(), body(error_row(), 4)).prop_map(|(name, rows)| S::ErrorTable { name, rows }),
+        3 => (axis(), option::of(expression()), axis_clauses())
             .prop_map(|(name, along, clauses)| S::Linear { name, along, clauses }),
-        3 => (axis(), expression(), option::of(expression()), axis_clauses())
-            .prop_map(|(name, about, through, clauses)| S::Rotary { name, about, through, clauses }),
+        3 => (axis(), option::of((expression(), option::of(expression()))), axis_clauses()).prop_map(
+            |(name, line, clauses)| {
+                let (about, through) = line.map_or((None, None), |(about, through)| (Some(about), through));
+                S::Rotary { name, about, through, clauses }
+            }
+        ),
         1 => (expression(), option::of(expression()), option::of(expression()))
             .prop_map(|(along, at, length)| S::Tool { along, at, length }),
         1 => expression().prop_map(S::Zero),
@@ -104,6 +111,23 @@ fn machine_statement() -> impl Strategy<Value = MachineStatement> {
         1 => branch,
         1 => controller,
     ]
+}
+
+fn dh_row() -> impl Strategy<Value = DhRow> {
+    let axis = option::of((axis(), any::<bool>()).prop_map(|(name, primed)| DhAxis { name, primed }));
+    let parameters = prop::array::uniform5(expression());
+    prop_oneof![
+        4 => (axis, parameters).prop_map(|(axis, parameters)| DhRow::Link { axis, parameters }),
+        1 => Just(DhRow::Bed(0..0)),
+    ]
+}
+
+fn error_name() -> BoxedStrategy<Name> {
+    spanned("E[XYZABC](0|O|\\([0O][XYZ]\\))?[A-Z][0-9]?")
+}
+
+fn error_row() -> impl Strategy<Value = ErrorRow> {
+    (expression(), expression()).prop_map(|(position, error)| ErrorRow { position, error })
 }
 
 fn link() -> impl Strategy<Value = Link> {

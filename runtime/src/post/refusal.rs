@@ -62,6 +62,18 @@ A rotary axis stands between the linear axes, and at this angle it has turned th
 motion of the linear axes puts the tip where it should be. `machc show MACHINE` tells the chain. Use another direction.",
 };
 
+/// E1120.
+pub static NOT_COMPENSATED: Code = Code {
+    id: "E1120",
+    title: "no joints were found that put the tip there with the machine's errors",
+    explanation: "\
+The machine has tables of errors, and they are compensated by moving the axes a little, looking up the errors there, and
+so on until nothing changes. Here it does not come to rest: a table changes too fast from one position to the next (by
+a good part of the distance between them), or no linear axis moves the way that the error goes.
+
+Look for a wrong unit or a wrong row in the tables (`machc show MACHINE` prints their ranges).",
+};
+
 /// E1105.
 pub static TOO_MANY_ERRORS: Code = Code {
     id: "E1105",
@@ -137,6 +149,10 @@ pub(super) fn of(job: Job<'_>, solved: &Solved<'_>) -> Option<Diagnostic> {
             Some(Diagnostic::error(&OFF_PLANE, message).at(place, label).note("it needs a Y axis"))
         }
         Choice::OutOfTravel(index) => Some(out_of_travel(job, solved, index, place)),
+        Choice::Singular if !job.machine.errors.is_empty() => {
+            let message = format!("no joints of `{}` put the tip there with its errors", job.machine.name);
+            Some(Diagnostic::error(&NOT_COMPENSATED, message).at(place, "").note(direction(solved)))
+        }
         Choice::Singular => {
             let message = format!("the linear axes of `{}` cannot hold the tip at this angle", job.machine.name);
             Some(Diagnostic::error(&SINGULAR, message).at(place, "").note(direction(solved)))

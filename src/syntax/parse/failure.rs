@@ -34,7 +34,9 @@ pub static UNKNOWN_STATEMENT: Code = Code {
 Every statement begins with its keyword. Which statements there may be depends on where it stands:
 
 - at the top of a file: `use`, `machine`, `controller`
-- in a machine: `let`, `chain`, `linear`, `rotary`, `tool`, `zero`, `tolerance`, `records`, `branch`, `controller`
+- in a machine: `let`, `chain`, `dh`, `linear`, `rotary`, `error`, `tool`, `zero`, `tolerance`, `records`, `branch`,
+  `controller`
+- in a `dh` block: `link`, `bed`; in a table of errors: `at`
 - in a `branch` block: `start`, `then`, `reposition`, `lock`, `prefer`, `free`
 - in a controller: `units`, `extension`, `comment`, `sequence`, `offset`, `retract`, `code`, `format`, `word`, `write`, `modal`,
   `on`
@@ -42,9 +44,11 @@ Every statement begins with its keyword. Which statements there may be depends o
 };
 
 /// Where statements stand.
-const CONTEXTS: [(Rule, &str); 5] = [
+const CONTEXTS: [(Rule, &str); 7] = [
     (Rule::item, "at the top of a file"),
     (Rule::in_machine, "in a machine"),
+    (Rule::in_dh, "in a `dh` block"),
+    (Rule::at_statement, "in a table of errors"),
     (Rule::in_branch, "in a `branch` block"),
     (Rule::in_controller, "in a controller"),
     (Rule::line, "in an `on` block"),

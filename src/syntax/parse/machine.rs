@@ -5,7 +5,8 @@ use mach_runtime::diagnostic::{Code, Diagnostic};
 use super::grammar::{self, Pair, Rule};
 use super::{Builder, parts, word};
 use crate::syntax::tree::{
-    AxisClause, BranchStatement, Expression, Link, MachineStatement, Preference, Spanned, Strictness, ToleranceKind,
+    AxisClause, BranchStatement, ErrorRow, Expression, Link, MachineStatement, Name, Preference, Spanned, Strictness,
+    ToleranceKind,
 };
 
 /// A clause said twice.
@@ -29,15 +30,17 @@ impl<'t> Builder<'_, 't> {
             Rule::chain_statement => MachineStatement::Chain(parts.rest().map(link).collect()),
             Rule::linear_statement => MachineStatement::Linear {
                 name: parts.name(),
-                along: self.expression(parts.next()),
+                along: parts.take(Rule::along_clause).map(|clause| self.expression_of(clause)),
                 clauses: self.axis_clauses(parts.rest().collect()),
             },
             Rule::rotary_statement => MachineStatement::Rotary {
                 name: parts.name(),
-                about: self.expression(parts.next()),
+                about: parts.take(Rule::about_clause).map(|clause| self.expression_of(clause)),
                 through: parts.take(Rule::through_clause).map(|clause| self.expression_of(clause)),
                 clauses: self.axis_clauses(parts.rest().collect()),
             },
+            Rule::dh_statement => MachineStatement::Dh(self.body(parts.next(), Rule::in_dh, Self::dh_row)),
+            Rule::error_statement => self.error_statement(parts.name(), parts.next()),
             Rule::tool_statement => MachineStatement::Tool {
                 along: self.expression(parts.next()),
                 at: parts.take(Rule::at_clause).map(|clause| self.expression_of(clause)),
@@ -75,6 +78,19 @@ impl<'t> Builder<'_, 't> {
             Rule::free_statement => BranchStatement::Free(parts.name()),
             _ => BranchStatement::Reposition(strictness(&parts.next())),
         }
+    }
+
+    /// A value, or a table of values by positions.
+    fn error_statement(&mut self, name: Name, said: Pair<'t>) -> MachineStatement {
+        if said.as_rule() == Rule::expression {
+            return MachineStatement::Error { name, value: self.expression(said) };
+        }
+        let row = |builder: &mut Self, pair: Pair<'t>| {
+            let mut parts = parts(pair);
+            let position = builder.expression(parts.next());
+            Some(ErrorRow { position, error: builder.expression(parts.next()) })
+        };
+        MachineStatement::ErrorTable { name, rows: self.body(said, Rule::at_statement, row) }
     }
 
     /// The expression of a clause that holds nothing else.

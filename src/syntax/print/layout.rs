@@ -14,6 +14,12 @@ pub(super) enum Table {
     LinearAxes,
     /// `rotary`
     RotaryAxes,
+    /// `link`
+    Links,
+    /// `error` with a value
+    Errors,
+    /// `at` in a table of errors
+    ErrorRows,
     /// `start` and `then`
     Branch,
     /// `format`

@@ -4,7 +4,8 @@ use super::Printer;
 use super::expression::expression;
 use super::layout::{Line, Table};
 use crate::syntax::tree::{
-    AxisClause, BranchStatement, Expression, Link, MachineStatement, Preference, Spanned, Strictness, ToleranceKind,
+    AxisClause, BranchStatement, DhRow, ErrorRow, Expression, Link, MachineStatement, Preference, Spanned, Strictness,
+    ToleranceKind,
 };
 
 impl Printer {
@@ -13,6 +14,14 @@ impl Printer {
             MachineStatement::Branch(body) => self.block("branch", body, behind, |printer, statement, behind| {
                 printer.line(branch(statement), behind);
             }),
+            MachineStatement::Dh(body) => self.block("dh", body, behind, |printer, row, behind| {
+                printer.line(dh_row(row), behind);
+            }),
+            MachineStatement::ErrorTable { name, rows } => {
+                self.block(&format!("error {}", name.value), rows, behind, |printer, row, behind| {
+                    printer.line(error_row(row), behind);
+                });
+            }
             MachineStatement::Controller { name, body } => {
                 self.block(&format!("controller {}", name.value), body, behind, Self::controller_statement);
             }
@@ -29,16 +38,20 @@ fn line(statement: &MachineStatement) -> Line {
             return Line::row(Table::Parameters, cells);
         }
         MachineStatement::Linear { name, along, clauses } => {
-            let cells = vec![format!("linear {}", name.value), format!("along {}", expression(along))];
+            let along = along.as_ref().map_or(String::new(), |along| format!("along {}", expression(along)));
+            let cells = vec![format!("linear {}", name.value), along];
             return Line::row(Table::LinearAxes, [cells, axis_clauses(clauses)].concat());
         }
         MachineStatement::Rotary { name, about, through, clauses } => {
             let cells = vec![
                 format!("rotary {}", name.value),
-                format!("about {}", expression(about)),
+                about.as_ref().map_or(String::new(), |about| format!("about {}", expression(about))),
                 through.as_ref().map_or(String::new(), |point| format!("through {}", expression(point))),
             ];
             return Line::row(Table::RotaryAxes, [cells, axis_clauses(clauses)].concat());
+        }
+        MachineStatement::Error { name, value } => {
+            return Line::row(Table::Errors, vec![format!("error {}", name.value), expression(value)]);
         }
         MachineStatement::Chain(links) => format!("chain {}", links.iter().map(link).collect::<Vec<_>>().join(" ")),
         MachineStatement::Tool { along, at, length } => {
@@ -59,7 +72,10 @@ fn line(statement: &MachineStatement) -> Line {
             format!("tolerance {kind} {}", expression(value))
         }
         MachineStatement::Records(strictness) => format!("records unknown {}", word(strictness)),
-        MachineStatement::Branch(_) | MachineStatement::Controller { .. } => unreachable!("printed as a block"),
+        MachineStatement::Branch(_)
+        | MachineStatement::Controller { .. }
+        | MachineStatement::Dh(_)
+        | MachineStatement::ErrorTable { .. } => unreachable!("printed as a block"),
     };
     Line::plain(text)
 }
@@ -92,7 +108,7 @@ fn link(link: &Link) -> String {
         Link::Workpiece(_) => "w".to_owned(),
         Link::Bed(_) => "b".to_owned(),
         Link::Tool(_) => "t".to_owned(),
-        Link::Axis { name, primed } => format!("{}{}", name.value, if *primed { "'" } else { "" }),
+        Link::Axis { name, primed } => format!("{}{}", name.value, prime(*primed)),
     }
 }
 
@@ -101,6 +117,24 @@ fn word(strictness: &Spanned<Strictness>) -> &'static str {
         Strictness::Error => "error",
         Strictness::Warn => "warn",
     }
+}
+
+/// The parameters in columns, each with the comma behind it.
+fn dh_row(row: &DhRow) -> Line {
+    let DhRow::Link { axis, parameters } = row else { return Line::row(Table::Links, vec!["bed".to_owned()]) };
+    let axis = axis.as_ref().map_or(String::new(), |axis| format!("{}{}:", axis.name.value, prime(axis.primed)));
+    let last = parameters.len() - 1;
+    let parameters = parameters.iter().enumerate();
+    let cells = parameters.map(|(i, parameter)| expression(parameter) + if i == last { "" } else { "," });
+    Line::row(Table::Links, ["link".to_owned(), axis].into_iter().chain(cells).collect())
+}
+
+fn error_row(row: &ErrorRow) -> Line {
+    Line::row(Table::ErrorRows, vec![format!("at {}:", expression(&row.position)), expression(&row.error)])
+}
+
+fn prime(primed: bool) -> &'static str {
+    if primed { "'" } else { "" }
 }
 
 fn branch(statement: &BranchStatement) -> Line {
