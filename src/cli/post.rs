@@ -1,5 +1,8 @@
 //! `machc post`.
 
+use std::num::NonZeroUsize;
+use std::thread::available_parallelism;
+
 use mach_runtime::post::{Job, post};
 use machc::diagnostic::{Code, Diagnostic, Place};
 use machc::model::machine::Model;
@@ -42,6 +45,9 @@ pub(super) struct Arguments {
     /// The NC file; without it, or with -, standard output
     #[arg(short, long, value_name = "NC")]
     output: Option<String>,
+    /// Threads to work with; as many as the machine has, where it is not given
+    #[arg(long, value_name = "COUNT")]
+    threads: Option<NonZeroUsize>,
     /// The program's name; the CL file's name where it is not given
     #[arg(long, value_name = "NAME")]
     program: Option<String>,
@@ -50,7 +56,7 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: Arguments, report: &mut Report) -> Result<Status, Failure> {
-    let Arguments { machine, cl, output, program, options } = arguments;
+    let Arguments { machine, cl, output, threads, program, options } = arguments;
     let Some(prepared) = prepare(&machine, report)? else { return Ok(Status::Refused) };
     let Some(dialect) = &prepared.model.dialect else {
         return Ok(report.tell(&[no_controller(&prepared.model, &machine)]));
@@ -61,8 +67,9 @@ pub(super) fn run(arguments: Arguments, report: &mut Report) -> Result<Status, F
     let job = Job { file: shown(&cl), program, machine: &machine, dialect };
     let mut nc = Output::begin(output.as_deref())?;
     let mut told = Collected::default();
-    let mut kinematics = Interpreter::new(&prepared.plan);
-    let certificate = match post(job, &mut kinematics, reader, &mut nc, &mut |diagnostic| told.add(diagnostic)) {
+    let mut tell = |diagnostic| told.add(diagnostic);
+    let threads = threads.or_else(|| available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN);
+    let certificate = match post(job, &Interpreter::new(&prepared.plan), reader, &mut nc, threads, &mut tell) {
         Ok(certificate) => certificate,
         Err(error) => return Err(nc.into_failure().unwrap_or_else(|| cannot_read(&cl, &error))),
     };

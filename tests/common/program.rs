@@ -9,6 +9,7 @@ use machc::compile::Compiled;
 use machc::emit::tables;
 use machc::plan::Interpreter;
 use std::fs;
+use std::num::NonZeroUsize;
 use std::path::Path;
 
 /// What a post gave.
@@ -21,17 +22,23 @@ pub(crate) struct Posted {
     pub(crate) diagnostics: Vec<Diagnostic>,
 }
 
-/// Posts a CL file; the path is from the package's folder.
+/// Posts a CL file on one thread; the path is from the package's folder.
 pub(crate) fn posted(compiled: &Compiled, cl: &str) -> Posted {
+    posted_on(NonZeroUsize::MIN, compiled, cl)
+}
+
+/// Posts a CL file on so many threads.
+pub(crate) fn posted_on(threads: NonZeroUsize, compiled: &Compiled, cl: &str) -> Posted {
     let machine = tables::machine(&compiled.model);
     let dialect = compiled.model.dialect.as_ref().expect("a machine with a controller");
     let text = fs::read(root().join(cl)).unwrap_or_else(|error| panic!("{cl}: {error}"));
     let program = Path::new(cl).file_stem().and_then(|stem| stem.to_str()).expect("a name in UTF-8");
     let job = Job { file: cl, program, machine: &machine, dialect };
-    let mut kinematics = Interpreter::new(&compiled.plan);
+    let kinematics = Interpreter::new(&compiled.plan);
     let reader = Reader::new(cl, text.as_slice(), ReaderOptions::of(&machine));
     let (mut nc, mut diagnostics) = (Vec::new(), Vec::new());
-    let certificate = post(job, &mut kinematics, reader, &mut nc, &mut |diagnostic| diagnostics.push(diagnostic))
+    let mut tell = |diagnostic| diagnostics.push(diagnostic);
+    let certificate = post(job, &kinematics, reader, &mut nc, threads, &mut tell)
         .expect("reading from and writing to memory does not fail");
     quote(&mut diagnostics, cl, text.as_slice()).expect("reading from memory does not fail");
     Posted { nc, certificate, diagnostics }

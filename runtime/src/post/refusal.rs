@@ -1,9 +1,9 @@
 //! Points that the machine cannot go to, as diagnostics.
 
-use super::{Job, severity};
+use super::Job;
 use crate::branch::{Candidate, Choice, Obstacle};
-use crate::diagnostic::{Code, Diagnostic, Place, Severity};
-use crate::machine::{Axis, Motion, Travel};
+use crate::diagnostic::{Code, Diagnostic, Place};
+use crate::machine::{Axis, Motion, Strictness, Travel};
 use crate::path::Solved;
 
 /// E1101.
@@ -127,9 +127,9 @@ fn out_of_travel(job: Job<'_>, solved: &Solved<'_>, index: usize, place: Place) 
 /// A point that can be posted, but only by a reposition in the cut.
 pub(super) fn of_step(job: Job<'_>, solved: &Solved<'_>, chosen: &Candidate) -> Diagnostic {
     let text = "the travel forces a reposition in the middle of a cut";
-    let diagnostic = match severity(job.machine.branch.reposition) {
-        Severity::Error => Diagnostic::error(&REPOSITION, text),
-        Severity::Warning => Diagnostic::warning(&REPOSITION_WARNING, text),
+    let diagnostic = match job.machine.branch.reposition {
+        Strictness::Error => Diagnostic::error(&REPOSITION, text),
+        Strictness::Warn => Diagnostic::warning(&REPOSITION_WARNING, text),
     };
     let place = Place::line(job.file, solved.point.line);
     let label = format!("the rotary axes turn by {:.3} deg to get here", chosen.rotary_travel_deg);
