@@ -13,6 +13,7 @@ use machc::compile::Compiled;
 use machc::emit::tables;
 use machc::plan::Interpreter;
 use std::fs;
+use std::num::NonZeroUsize;
 
 #[path = "common/machine.rs"]
 mod machine;
@@ -26,6 +27,12 @@ type Row = [f64; 5];
 
 /// The names of a row's values.
 const NAMES: [&str; 5] = ["X", "Y", "Z", "A", "C"];
+
+/// What a CL file comes to.
+fn posted(compiled: &Compiled, cl: &str) -> program::Posted {
+    let text = fs::read(machine::root().join(cl)).expect("readable");
+    program::posted(compiled, cl, &text, NonZeroUsize::MIN)
+}
 
 /// The rows of a table's columns from `column` on; none for rows that are empty there.
 fn table(path: &str, column: usize) -> Vec<Option<Row>> {
@@ -103,7 +110,7 @@ fn the_joints_of_the_sine_surface_are_the_published_ones() {
 #[test]
 fn the_words_of_the_sine_surface_are_those_of_nx() {
     let machine = machine::compiled("machines/tmv710a.mach", &machine::Files);
-    let posted = program::posted(&machine, SINE);
+    let posted = posted(&machine, SINE);
     assert_eq!(posted.diagnostics, []);
     let nc = String::from_utf8(posted.nc).expect("ASCII");
     let rows = printed(&nc);
@@ -116,7 +123,7 @@ fn the_words_of_the_sine_surface_are_those_of_nx() {
 #[test]
 fn numbers_are_printed_as_nx_printed_them() {
     let machine = machine::compiled("machines/tmv710a.mach", &machine::Files);
-    let nc = program::posted(&machine, SINE).nc;
+    let nc = posted(&machine, SINE).nc;
     for words in ["X70.711", " Y18.271", " Z21.124", " A23.955", " C315.", " X.483 ", " X0.0 ", " X25. ", " C.002\n"] {
         let found = nc.windows(words.len()).any(|window| window == words.as_bytes());
         assert!(found, "`{words}` is not in\n{}", String::from_utf8_lossy(&nc));
@@ -147,7 +154,7 @@ fn the_joints_of_the_impeller_are_the_published_ones() {
 #[test]
 fn an_msys_of_eight_numbers_is_a_warning() {
     let machine = machine::compiled("machines/tmv710a.mach", &machine::Files);
-    let posted = program::posted(&machine, "tests/goldens/eight_numbers.cls");
+    let posted = posted(&machine, "tests/goldens/eight_numbers.cls");
     let [warning] = posted.diagnostics.as_slice() else { panic!("{:?}", posted.diagnostics) };
     assert_eq!((warning.code.id, warning.severity), ("W1001", Severity::Warning));
     assert!(posted.certificate.is_some());

@@ -1,5 +1,6 @@
 //! What comes out of a post does not depend on the number of threads.
 
+use machc::compile::Compiled;
 use std::fs;
 use std::num::NonZeroUsize;
 
@@ -7,14 +8,59 @@ use std::num::NonZeroUsize;
 mod machine;
 #[path = "common/program.rs"]
 mod program;
+#[path = "common/stems.rs"]
+mod stems;
 
-/// The CL files in a folder of the package's.
-fn cl_files(folder: &str) -> Vec<String> {
-    let entries = fs::read_dir(machine::root().join(folder)).expect("readable");
-    let names = entries.map(|entry| entry.expect("readable").file_name().into_string().expect("a name in UTF-8"));
-    let mut files: Vec<String> =
-        names.filter(|name| name.ends_with(".cls")).map(|name| format!("{folder}/{name}")).collect();
-    files.sort();
-    assert!(!files.is_empty(), "{folder} has CL files");
-    files
+use stems::stems;
+
+/// The CL files of a folder, names and texts.
+fn cl_files(folder: &str) -> impl Iterator<Item = (String, Vec<u8>)> {
+    stems(folder, "cls").into_iter().map(move |stem| {
+        let name = format!("{folder}/{stem}.cls");
+        let text = fs::read(machine::root().join(&name)).expect("readable");
+        (name, text)
+    })
+}
+
+fn assert_same_on_two_threads(compiled: &Compiled, name: &str, cl: &[u8]) {
+    let [one, two] =
+        [1, 2].map(|threads| program::posted(compiled, name, cl, NonZeroUsize::new(threads).expect("some threads")));
+    assert_eq!(one.certificate, two.certificate, "{name}");
+    assert_eq!(one.diagnostics, two.diagnostics, "{name}");
+    assert!(one.certificate.is_none() || one.nc == two.nc, "{name}");
+}
+
+/// Of some thousand points, so that the second thread has work.
+fn long_program() -> Vec<u8> {
+    fs::read(machine::root().join("examples/sine_surface.cls")).expect("readable").repeat(20)
+}
+
+#[test]
+fn every_example_on_every_machine() {
+    for stem in stems("machines", "mach") {
+        let machine = machine::compiled(&format!("machines/{stem}.mach"), &machine::Files);
+        let mut all = Vec::new();
+        for (name, cl) in cl_files("examples").chain(cl_files("tests/goldens")) {
+            assert_same_on_two_threads(&machine, &name, &cl);
+            all.extend(cl);
+        }
+        assert_same_on_two_threads(&machine, &format!("all examples on {stem}"), &all);
+    }
+}
+
+#[test]
+fn a_long_program() {
+    let machine = machine::compiled("machines/tmv710a.mach", &machine::Files);
+    let long = long_program();
+    assert!(program::posted(&machine, "long.cls", &long, NonZeroUsize::MIN).certificate.is_some());
+    assert_same_on_two_threads(&machine, "long.cls", &long);
+}
+
+#[test]
+fn every_mistake_in_a_short_and_a_long_program() {
+    let machine = machine::compiled("machines/tmv710a.mach", &machine::Files);
+    for (name, cl) in cl_files("tests/bad_cl") {
+        assert_same_on_two_threads(&machine, &name, &cl);
+        assert_same_on_two_threads(&machine, &name, &[long_program(), cl.repeat(30)].concat());
+    }
 }

@@ -8,6 +8,7 @@
 pub mod branch;
 pub mod certificate;
 pub mod cl;
+mod decimal;
 pub mod diagnostic;
 pub mod kinematics;
 pub mod machine;

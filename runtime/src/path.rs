@@ -10,7 +10,7 @@ use crate::vector::add;
 /// not in a cut, it looks ahead to the end of the block, so that it stands right when the cut begins to tilt.
 pub struct PathSolver<'a> {
     machine: &'a Machine,
-    pub(crate) kinematics: &'a mut dyn Kinematics,
+    pub(crate) kinematics: &'a mut (dyn Kinematics + Send),
     /// The poses of the last block, in the machine frame; lanes beyond its points repeat its last point.
     pub(crate) poses: PoseBlock,
     solutions: SolutionBlock,
@@ -44,7 +44,7 @@ impl Solved<'_> {
 
 impl<'a> PathSolver<'a> {
     /// A solver at the start of a program.
-    pub fn new(machine: &'a Machine, kinematics: &'a mut dyn Kinematics) -> Self {
+    pub fn new(machine: &'a Machine, kinematics: &'a mut (dyn Kinematics + Send)) -> Self {
         let (branches, axes) = (kinematics.branch_count(), kinematics.axis_count());
         assert_eq!(axes, machine.axes.len(), "tables and kinematics are of one machine");
         Self {

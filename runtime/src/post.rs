@@ -2,9 +2,9 @@
 
 mod checker;
 mod pipeline;
-mod printed;
 mod printer;
 mod refusal;
+mod stretch;
 
 use crate::certificate::Certificate;
 use crate::cl::Reader;
@@ -13,6 +13,7 @@ use crate::kinematics::Kinematics;
 use crate::machine::Machine;
 use crate::nc::dialect::Dialect;
 use checker::Checker;
+use pipeline::Pipeline;
 use printer::Printer;
 use std::io::{self, Read, Write};
 use std::num::NonZeroUsize;
@@ -36,7 +37,7 @@ pub struct Job<'a> {
 
 /// Posts a CL file to `nc`. Diagnostics go to `tell` as they come. The certificate is there when the input had no errors;
 /// without it what was written is worth nothing. What comes out does not depend on the number of threads. Two have
-/// work: one reads, solves and prints, the other reads back, compares and writes.
+/// work: one reads, reads back and compares, the other solves and prints.
 ///
 /// # Errors
 /// When the CL cannot be read or the NC text cannot be written.
@@ -47,16 +48,21 @@ pub fn post<R: Read, K: Kinematics + Clone + Send>(
     job: Job<'_>,
     kinematics: &K,
     reader: Reader<R>,
-    nc: &mut (dyn Write + Send),
+    nc: &mut dyn Write,
     threads: NonZeroUsize,
     tell: &mut dyn FnMut(Diagnostic),
 ) -> io::Result<Option<Certificate>> {
     let mut solving = kinematics.clone();
-    let mut printer = Printer::new(job, &mut solving, reader, tell);
-    let mut checker = Checker::new(job, kinematics.clone(), nc);
-    pipeline::run(&mut printer, &mut checker, threads)?;
-    let certificate = checker.finish()?;
-    Ok(printer.is_without_errors().then_some(certificate))
+    let printer = Printer::new(job, &mut solving);
+    let checker = Checker::new(job, kinematics.clone(), nc);
+    let mut pipeline = Pipeline { reader, printer, checker, tell };
+    if threads.get() == 1 {
+        pipeline.run()?
+    } else {
+        pipeline.run_side_by_side()?
+    }
+    let certificate = pipeline.checker.finish()?;
+    Ok(pipeline.printer.is_without_errors().then_some(certificate))
 }
 
 /// The codes that a post may raise by itself.

@@ -1,6 +1,5 @@
 //! CL files, posted.
 
-use super::machine::root;
 use mach_runtime::certificate::Certificate;
 use mach_runtime::cl::{Reader, ReaderOptions, quote};
 use mach_runtime::diagnostic::Diagnostic;
@@ -8,7 +7,6 @@ use mach_runtime::post::{Job, post};
 use machc::compile::Compiled;
 use machc::emit::tables;
 use machc::plan::Interpreter;
-use std::fs;
 use std::num::NonZeroUsize;
 use std::path::Path;
 
@@ -22,24 +20,18 @@ pub(crate) struct Posted {
     pub(crate) diagnostics: Vec<Diagnostic>,
 }
 
-/// Posts a CL file on one thread; the path is from the package's folder.
-pub(crate) fn posted(compiled: &Compiled, cl: &str) -> Posted {
-    posted_on(NonZeroUsize::MIN, compiled, cl)
-}
-
-/// Posts a CL file on so many threads.
-pub(crate) fn posted_on(threads: NonZeroUsize, compiled: &Compiled, cl: &str) -> Posted {
+/// Posts CL text under a file's name.
+pub(crate) fn posted(compiled: &Compiled, cl: &str, text: &[u8], threads: NonZeroUsize) -> Posted {
     let machine = tables::machine(&compiled.model);
     let dialect = compiled.model.dialect.as_ref().expect("a machine with a controller");
-    let text = fs::read(root().join(cl)).unwrap_or_else(|error| panic!("{cl}: {error}"));
     let program = Path::new(cl).file_stem().and_then(|stem| stem.to_str()).expect("a name in UTF-8");
     let job = Job { file: cl, program, machine: &machine, dialect };
     let kinematics = Interpreter::new(&compiled.plan);
-    let reader = Reader::new(cl, text.as_slice(), ReaderOptions::of(&machine));
+    let reader = Reader::new(cl, text, ReaderOptions::of(&machine));
     let (mut nc, mut diagnostics) = (Vec::new(), Vec::new());
     let mut tell = |diagnostic| diagnostics.push(diagnostic);
     let certificate = post(job, &kinematics, reader, &mut nc, threads, &mut tell)
         .expect("reading from and writing to memory does not fail");
-    quote(&mut diagnostics, cl, text.as_slice()).expect("reading from memory does not fail");
+    quote(&mut diagnostics, cl, text).expect("reading from memory does not fail");
     Posted { nc, certificate, diagnostics }
 }

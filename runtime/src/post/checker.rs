@@ -1,8 +1,9 @@
 //! The second half of a post: what was printed is read back, compared with the CL, and written out.
 
 use super::Job;
-use super::printed::{Printed, PrintedPoint};
+use super::stretch::{PrintedPoint, Stretch};
 use crate::certificate::Certificate;
+use crate::cl::event::Point;
 use crate::kinematics::{JointBlock, Kinematics, LANES, PoseBlock};
 use crate::readback::ReadBack;
 use crate::vector::{add, norm, sub};
@@ -12,7 +13,7 @@ use std::io::{self, Write};
 pub(super) struct Checker<'a, K> {
     job: Job<'a>,
     kinematics: K,
-    nc: &'a mut (dyn Write + Send),
+    nc: &'a mut dyn Write,
     readback: ReadBack,
     certificate: Certificate,
     /// What the text of a block of points says, and where that takes the tool.
@@ -23,7 +24,7 @@ pub(super) struct Checker<'a, K> {
 }
 
 impl<'a, K: Kinematics> Checker<'a, K> {
-    pub(super) fn new(job: Job<'a>, kinematics: K, nc: &'a mut (dyn Write + Send)) -> Self {
+    pub(super) fn new(job: Job<'a>, kinematics: K, nc: &'a mut dyn Write) -> Self {
         let axes = &job.machine.axes;
         Self {
             job,
@@ -37,17 +38,15 @@ impl<'a, K: Kinematics> Checker<'a, K> {
         }
     }
 
-    /// Reads a stretch back, compares where it takes the tool with where the CL wants it, writes it out, and empties it.
-    pub(super) fn check(&mut self, printed: &mut Printed) -> io::Result<()> {
-        let joints = printed.joints.chunks(LANES * self.joint_values.len());
-        for (points, joints) in printed.points.chunks(LANES).zip(joints) {
-            self.watch(points, joints);
-            self.read(points, &printed.text);
-            self.compare(points);
+    /// Reads a stretch back, compares where it takes the tool with where the CL wants it, and writes it out.
+    pub(super) fn check(&mut self, stretch: &Stretch) -> io::Result<()> {
+        let joints = stretch.joints.chunks(LANES * self.joint_values.len());
+        for (printed, joints) in stretch.printed.chunks(LANES).zip(joints) {
+            self.watch(printed, joints, &stretch.points);
+            self.read(printed, stretch);
+            self.compare(printed, &stretch.points);
         }
-        self.nc.write_all(&printed.text)?;
-        printed.clear();
-        Ok(())
+        self.nc.write_all(&stretch.text)
     }
 
     /// What was found, after the last stretch.
@@ -57,29 +56,25 @@ impl<'a, K: Kinematics> Checker<'a, K> {
     }
 
     /// Notes where the axes go and how far the rotaries turn.
-    fn watch(&mut self, points: &[PrintedPoint], joints: &[f64]) {
-        for (PrintedPoint { point, rotary_step_deg, .. }, joints) in
-            points.iter().zip(joints.chunks(self.joint_values.len()))
-        {
-            self.certificate.visit(point.line, joints);
-            if let Some(step_deg) = rotary_step_deg {
-                self.certificate.step(point.line, *step_deg);
+    fn watch(&mut self, printed: &[PrintedPoint], joints: &[f64], points: &[Point]) {
+        for (printed, joints) in printed.iter().zip(joints.chunks(self.joint_values.len())) {
+            let line = points[printed.point].line;
+            self.certificate.visit(line, joints);
+            if let Some(step_deg) = printed.rotary_step_deg {
+                self.certificate.step(line, step_deg);
             }
         }
     }
 
     /// Reads the text of up to [`LANES`] points.
-    fn read(&mut self, points: &[PrintedPoint], text: &[u8]) {
-        for (lane, PrintedPoint { point, text: range, .. }) in points.iter().enumerate() {
-            let blocks = &text[range.clone()];
-            if let Err(error) = self.readback.read(blocks, self.job.machine.tool_length_mm, &mut self.joint_values) {
-                panic!(
-                    "the text printed for CL line {} must read back, but: {error}\n{}",
-                    point.line,
-                    String::from_utf8_lossy(blocks)
-                );
-            }
-            self.certificate.blocks += memchr::memchr_iter(b'\n', blocks).count() as u64;
+    fn read(&mut self, printed: &[PrintedPoint], stretch: &Stretch) {
+        for (lane, printed) in printed.iter().enumerate() {
+            let text = &stretch.text[printed.text.clone()];
+            let read = self.readback.read(text, self.job.machine.tool_length_mm, &mut self.joint_values);
+            self.certificate.blocks += read.unwrap_or_else(|error| {
+                let (line, text) = (stretch.points[printed.point].line, String::from_utf8_lossy(text));
+                panic!("the text printed for CL line {line} must read back, but: {error}\n{text}")
+            });
             for (joint, value) in self.joints.iter_mut().zip(&self.joint_values) {
                 joint[lane] = *value;
             }
@@ -87,10 +82,11 @@ impl<'a, K: Kinematics> Checker<'a, K> {
     }
 
     /// Compares where the text takes the tool with where the CL wants it.
-    fn compare(&mut self, points: &[PrintedPoint]) {
+    fn compare(&mut self, printed: &[PrintedPoint], points: &[Point]) {
         let Self { job: Job { machine, .. }, kinematics, certificate, joints, poses, .. } = self;
         kinematics.forward(joints, machine.tool_length_mm, poses);
-        for (lane, PrintedPoint { point, .. }) in points.iter().enumerate() {
+        for (lane, printed) in printed.iter().enumerate() {
+            let point = &points[printed.point];
             let tip_mm = norm(sub(poses.tip(lane), add(point.tip_mm, machine.zero_mm)));
             certificate.compare(point.line, tip_mm, [poses.axis(lane), point.axis]);
         }

@@ -1,82 +1,92 @@
-//! The two halves of a post, in turn or side by side.
+//! The steps of a post, in turn or side by side: a stretch of the CL is read, printed, checked.
 
 use super::checker::Checker;
-use super::printed::Printed;
 use super::printer::Printer;
+use super::stretch::Stretch;
+use crate::cl::Reader;
+use crate::diagnostic::Diagnostic;
 use crate::kinematics::Kinematics;
 use std::io::{self, Read};
-use std::num::NonZeroUsize;
-use std::panic::resume_unwind;
-use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};
+use std::sync::mpsc::sync_channel;
 use std::thread;
 
-/// So many stretches may wait for the checker.
-const WAITING: usize = 2;
+/// So many stretches are under way at once: one is printed, one waits for that, one is read or checked.
+const UNDER_WAY: usize = 3;
 
-/// Prints and checks the program to its end. With more than one thread the checker has its own as soon as the program is
-/// longer than one stretch: a short one is over before a thread has begun.
-///
-/// # Errors
-/// When the CL cannot be read or the NC text cannot be written.
-pub(super) fn run<R: Read, K: Kinematics + Send>(
-    printer: &mut Printer<'_, R>,
-    checker: &mut Checker<'_, K>,
-    threads: NonZeroUsize,
-) -> io::Result<()> {
-    let mut printed = Printed::default();
-    printer.begin(&mut printed);
-    let mut goes_on = true;
-    while goes_on {
-        goes_on = printer.print(&mut printed)?;
-        if goes_on && threads.get() > 1 {
-            return side_by_side(printer, checker, printed);
+/// The steps with what they need, from the CL to the NC text.
+pub(super) struct Pipeline<'a, R, K> {
+    pub(super) reader: Reader<R>,
+    pub(super) printer: Printer<'a>,
+    pub(super) checker: Checker<'a, K>,
+    pub(super) tell: &'a mut dyn FnMut(Diagnostic),
+}
+
+impl<R: Read, K: Kinematics> Pipeline<'_, R, K> {
+    /// Posts the whole program on one thread.
+    ///
+    /// # Errors
+    /// When the CL cannot be read or the NC text cannot be written.
+    pub(super) fn run(&mut self) -> io::Result<()> {
+        let mut stretch = Stretch::default();
+        while self.step(&mut stretch)? {}
+        Ok(())
+    }
+
+    /// The same with a thread for the printer, which has about half of the work. It begins with the second stretch: a short
+    /// program is over before a thread has begun.
+    ///
+    /// # Errors
+    /// As [`Self::run`].
+    pub(super) fn run_side_by_side(&mut self) -> io::Result<()> {
+        let mut stretch = Stretch::default();
+        if !self.step(&mut stretch)? {
+            return Ok(());
         }
-        checker.check(&mut printed)?;
+        let Self { reader, printer, checker, tell } = self;
+        thread::scope(|scope| {
+            let (to_printer, read) = sync_channel::<Stretch>(UNDER_WAY);
+            let (to_checker, printed) = sync_channel(UNDER_WAY);
+            scope.spawn(move || {
+                for mut stretch in read {
+                    printer.print(&mut stretch);
+                    // Nobody listens any more when the post gives up.
+                    let _ = to_checker.send(stretch);
+                }
+            });
+            let mut empty = vec![stretch];
+            empty.resize_with(UNDER_WAY, Stretch::default);
+            let mut is_read = false;
+            loop {
+                while let (false, Some(mut stretch)) = (is_read, empty.pop()) {
+                    stretch.read(reader)?;
+                    is_read = stretch.is_last;
+                    to_printer.send(stretch).expect("the printer prints until nothing comes");
+                }
+                let mut stretch = printed.recv().expect("what is printed is sent on");
+                if !finish(&mut stretch, checker, tell)? {
+                    return Ok(());
+                }
+                empty.push(stretch);
+            }
+        })
     }
-    Ok(())
+
+    /// All that is done with a stretch. Says whether the program goes on.
+    fn step(&mut self, stretch: &mut Stretch) -> io::Result<bool> {
+        stretch.read(&mut self.reader)?;
+        self.printer.print(stretch);
+        finish(stretch, &mut self.checker, self.tell)
+    }
 }
 
-/// The printer on this thread, the checker on another.
-fn side_by_side<R: Read, K: Kinematics + Send>(
-    printer: &mut Printer<'_, R>,
+/// Tells and checks what the printer has left. Says whether the program goes on.
+fn finish<K: Kinematics>(
+    stretch: &mut Stretch,
     checker: &mut Checker<'_, K>,
-    printed: Printed,
-) -> io::Result<()> {
-    let (to_checker, stretches) = sync_channel(WAITING);
-    let (to_printer, checked) = channel();
-    thread::scope(|scope| {
-        let checking = scope.spawn(move || check_all(checker, &stretches, &to_printer));
-        let printing = print_all(printer, printed, to_checker, &checked);
-        let checking = checking.join().unwrap_or_else(|panic| resume_unwind(panic));
-        printing.and(checking)
-    })
-}
-
-/// Hands on the first stretch, and prints the others.
-fn print_all<R: Read>(
-    printer: &mut Printer<'_, R>,
-    first: Printed,
-    to_checker: SyncSender<Printed>,
-    checked: &Receiver<Printed>,
-) -> io::Result<()> {
-    let (mut printed, mut goes_on) = (first, true);
-    // A checker that listens no more says why when it is joined.
-    while to_checker.send(printed).is_ok() && goes_on {
-        printed = checked.try_recv().unwrap_or_default();
-        goes_on = printer.print(&mut printed)?;
-    }
-    Ok(())
-}
-
-/// Checks each stretch, and gives it back to be used again.
-fn check_all<K: Kinematics>(
-    checker: &mut Checker<'_, K>,
-    stretches: &Receiver<Printed>,
-    to_printer: &Sender<Printed>,
-) -> io::Result<()> {
-    for mut printed in stretches {
-        checker.check(&mut printed)?;
-        let _ = to_printer.send(printed); // a printer that is done needs no more
-    }
-    Ok(())
+    tell: &mut dyn FnMut(Diagnostic),
+) -> io::Result<bool> {
+    stretch.diagnostics.drain(..).for_each(tell);
+    checker.check(stretch)?;
+    stretch.clear();
+    Ok(!stretch.is_last)
 }

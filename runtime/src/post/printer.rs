@@ -1,34 +1,31 @@
-//! The first half of a post: the CL is read, solved and printed.
+//! The first half of a post: the points of the CL are solved and printed.
 
-use super::printed::Printed;
+use super::stretch::{PrintedPoint, Stretch};
 use super::{Job, NO_FEED_RATE, TOO_MANY_ERRORS, refusal};
 use crate::branch::{Candidate, Choice};
+use crate::cl::Next;
 use crate::cl::event::{Approach, Command, Coolant, Point, Spindle};
-use crate::cl::{Next, Reader};
 use crate::diagnostic::{Diagnostic, Place, Severity};
-use crate::kinematics::{Kinematics, LANES};
+use crate::kinematics::Kinematics;
 use crate::nc::dialect::Trigger;
 use crate::nc::write_error::WriteError;
 use crate::nc::writer::{Values, Writer};
 use crate::path::{PathSolver, Solved};
-use std::io::{self, Read};
 use std::mem;
+use std::ops::Range;
 
 /// So many errors are told; then the post gives up.
 const MOST_ERRORS: u32 = 20;
 
 /// Prints a program stretch by stretch.
-pub(super) struct Printer<'a, R> {
+pub(super) struct Printer<'a> {
     job: Job<'a>,
-    reader: Reader<R>,
     path: PathSolver<'a>,
     writer: Writer,
-    tell: &'a mut dyn FnMut(Diagnostic),
     errors: u32,
+    has_begun: bool,
     without_feed: bool,
     state: State,
-    /// The points of a block.
-    points: Vec<Point>,
 }
 
 /// What the placeholders of the blocks stand for, as far as the CL has said.
@@ -43,122 +40,104 @@ struct State {
     dwell_s: f64,
 }
 
-impl<'a, R: Read> Printer<'a, R> {
-    pub(super) fn new(
-        job: Job<'a>,
-        kinematics: &'a mut dyn Kinematics,
-        reader: Reader<R>,
-        tell: &'a mut dyn FnMut(Diagnostic),
-    ) -> Self {
+impl<'a> Printer<'a> {
+    pub(super) fn new(job: Job<'a>, kinematics: &'a mut (dyn Kinematics + Send)) -> Self {
         Self {
             job,
-            reader,
             path: PathSolver::new(job.machine, kinematics),
             writer: Writer::new(job.dialect.clone(), &job.machine.axes),
-            tell,
             errors: 0,
+            has_begun: false,
             without_feed: false,
             state: State::default(),
-            points: Vec::with_capacity(LANES),
         }
-    }
-
-    /// Prints the head of the program.
-    pub(super) fn begin(&mut self, printed: &mut Printed) {
-        self.command(Trigger::Start, None, printed);
-    }
-
-    /// Prints until the stretch is full, and says whether the program goes on.
-    pub(super) fn print(&mut self, printed: &mut Printed) -> io::Result<bool> {
-        while !printed.is_full() {
-            if !self.step(printed)? {
-                return Ok(false);
-            }
-        }
-        Ok(true)
     }
 
     pub(super) fn is_without_errors(&self) -> bool {
         self.errors == 0
     }
 
-    /// Prints a block of points and what follows them, and says whether the program goes on.
-    fn step(&mut self, printed: &mut Printed) -> io::Result<bool> {
-        let mut points = mem::take(&mut self.points);
-        points.clear();
-        let next = self.reader.next_into(&mut points, LANES)?;
-        self.points(&points, printed);
-        self.points = points;
-        match next {
-            Next::Full => {}
-            Next::From(point) => self.stand_at(&point),
-            Next::Command(command, place) => self.carry_out(command, place, printed),
-            Next::Diagnostic(diagnostic) => self.tell(diagnostic),
-            Next::End => {
-                self.command(Trigger::End, None, printed);
-                return Ok(false);
+    /// Prints a stretch that has been read. After too many errors that stretch is the last one.
+    pub(super) fn print(&mut self, stretch: &mut Stretch) {
+        if !mem::replace(&mut self.has_begun, true) {
+            self.command(Trigger::Start, None, stretch);
+        }
+        for (points, next) in mem::take(&mut stretch.blocks) {
+            self.points(points, stretch);
+            match next {
+                Next::Full => {}
+                Next::From(point) => self.stand_at(&point, stretch),
+                Next::Command(command, place) => self.carry_out(command, place, stretch),
+                Next::Diagnostic(diagnostic) => self.tell(diagnostic, stretch),
+                Next::End => return self.command(Trigger::End, None, stretch),
+            }
+            if self.errors >= MOST_ERRORS {
+                let message = format!("{} has more errors than are worth telling", self.job.file);
+                stretch.diagnostics.push(Diagnostic::error(&TOO_MANY_ERRORS, message));
+                stretch.is_last = true;
+                return;
             }
         }
-        let gives_up = self.errors >= MOST_ERRORS;
-        if gives_up {
-            let message = format!("{} has more errors than are worth telling", self.job.file);
-            (self.tell)(Diagnostic::error(&TOO_MANY_ERRORS, message));
-        }
-        Ok(!gives_up)
     }
 
     /// A block may have more mistakes than are told.
-    fn tell(&mut self, diagnostic: Diagnostic) {
+    fn tell(&mut self, diagnostic: Diagnostic, stretch: &mut Stretch) {
         if self.errors < MOST_ERRORS {
             self.errors += u32::from(diagnostic.severity == Severity::Error);
-            (self.tell)(diagnostic);
+            stretch.diagnostics.push(diagnostic);
         }
     }
 
     /// `FROM`: the choice starts from there, nothing is printed.
-    fn stand_at(&mut self, point: &Point) {
+    fn stand_at(&mut self, point: &Point, stretch: &mut Stretch) {
         let mut diagnostic = None;
         let job = self.job;
         self.path.solve(std::slice::from_ref(point), &mut |solved| {
             diagnostic = refusal::of(job, solved);
         });
-        diagnostic.into_iter().for_each(|diagnostic| self.tell(diagnostic));
+        diagnostic.into_iter().for_each(|diagnostic| self.tell(diagnostic, stretch));
     }
 
     /// Solves and prints a block of points.
-    fn points(&mut self, points: &[Point], printed: &mut Printed) {
+    fn points(&mut self, block: Range<usize>, stretch: &mut Stretch) {
         let mut diagnostics = Vec::new();
         let Self { job, path, writer, .. } = self;
-        path.solve(points, &mut |solved| match solved.chosen() {
+        let length_mm = job.machine.tool_length_mm;
+        let Stretch { points, text, printed, joints, .. } = stretch;
+        path.solve(&points[block.clone()], &mut |solved| match solved.chosen() {
             Some(chosen) => {
                 if is_reposition(solved) {
                     diagnostics.push(refusal::of_step(*job, solved, chosen));
                 }
-                let start = printed.text.len();
-                let length_mm = job.machine.tool_length_mm;
-                match writer.motion(solved.point.approach, &chosen.joints, length_mm, &mut printed.text) {
-                    Ok(()) => printed.add(*solved.point, start, &chosen.joints, rotary_step_deg(solved, chosen)),
+                let start = text.len();
+                match writer.motion(solved.point.approach, &chosen.joints, length_mm, text) {
+                    Ok(()) => {
+                        let rotary_step_deg = rotary_step_deg(solved, chosen);
+                        let point = block.start + solved.lane;
+                        printed.push(PrintedPoint { point, text: start..text.len(), rotary_step_deg });
+                        joints.extend_from_slice(&chosen.joints);
+                    }
                     Err(error) => diagnostics.push(at_line(&error, job.file, solved.point.line)),
                 }
             }
             None => diagnostics.extend(refusal::of(*job, solved)),
         });
-        self.warn_without_feed(points);
-        diagnostics.into_iter().for_each(|diagnostic| self.tell(diagnostic));
+        self.warn_without_feed(block, stretch);
+        diagnostics.into_iter().for_each(|diagnostic| self.tell(diagnostic, stretch));
     }
 
     /// A motion at feed before any feed rate is legal CL, and stops a control.
-    fn warn_without_feed(&mut self, points: &[Point]) {
-        let without = points.iter().find(|point| point.approach == Approach::Feed(None));
+    fn warn_without_feed(&mut self, block: Range<usize>, stretch: &mut Stretch) {
+        let without = stretch.points[block].iter().find(|point| point.approach == Approach::Feed(None));
         if let (Some(point), false) = (without, self.without_feed) {
             self.without_feed = true;
             let message = "a motion at feed stands before any feed rate; its block has no feed word";
             let place = Place::line(self.job.file, point.line);
-            self.tell(Diagnostic::warning(&NO_FEED_RATE, message).at(place, "no FEDRAT before it"));
+            self.tell(Diagnostic::warning(&NO_FEED_RATE, message).at(place, "no FEDRAT before it"), stretch);
         }
     }
 
-    fn carry_out(&mut self, command: Command, place: Place, printed: &mut Printed) {
+    fn carry_out(&mut self, command: Command, place: Place, stretch: &mut Stretch) {
         let trigger = match command {
             Command::Operation { name, tool } => {
                 (self.state.operation, self.state.tool_name) = (name, tool);
@@ -191,10 +170,10 @@ impl<'a, R: Read> Printer<'a, R> {
                 Trigger::Message
             }
         };
-        self.command(trigger, Some(place), printed);
+        self.command(trigger, Some(place), stretch);
     }
 
-    fn command(&mut self, trigger: Trigger, place: Option<Place>, printed: &mut Printed) {
+    fn command(&mut self, trigger: Trigger, place: Option<Place>, stretch: &mut Stretch) {
         let values = Values {
             program: self.job.program,
             machine: &self.job.machine.name,
@@ -206,12 +185,13 @@ impl<'a, R: Read> Printer<'a, R> {
             speed_rpm: self.state.speed_rpm,
             dwell_s: self.state.dwell_s,
         };
-        if let Err(error) = self.writer.command(trigger, &values, &mut printed.text) {
+        if let Err(error) = self.writer.command(trigger, &values, &mut stretch.text) {
             let diagnostic = error.diagnostic();
-            self.tell(match place {
+            let diagnostic = match place {
                 Some(place) => diagnostic.at(place, ""),
                 None => diagnostic,
-            });
+            };
+            self.tell(diagnostic, stretch);
         }
     }
 }
