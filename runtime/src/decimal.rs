@@ -1,11 +1,8 @@
-//! Plain decimals at the start of a text, eight digits at a time: for CL data, and for the program read back.
+//! Plain decimals at the start of a text: for CL data, and for the program read back.
 
 /// Powers of ten that a double holds exactly.
 const POWERS_OF_TEN: [f64; Decimal::MOST_DIGITS + 1] =
     [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18];
-
-/// `10^n` for up to eight digits.
-const SHIFTS: [u64; 9] = [1, 10, 100, 1000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000];
 
 /// Digits with or without a point: `12.3456`, `.5`, `25.`, `7`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,9 +27,10 @@ impl Decimal {
         let (mut digits, mut length) = leading_digits(text, 0, 0);
         let (mut count, mut decimals) = (length, 0);
         if text.get(length) == Some(&b'.') {
-            (digits, decimals) = decimals_of(&text[length + 1..], digits);
+            let point = length;
+            (digits, length) = leading_digits(text, point + 1, digits);
+            decimals = length - point - 1;
             count += decimals;
-            length += 1 + decimals;
         }
         (1..=Self::MOST_DIGITS).contains(&count).then_some(Self { digits, count, decimals, length })
     }
@@ -47,15 +45,6 @@ impl Decimal {
     }
 }
 
-/// Appends the digits behind a point to a number, and says how many they are. There are often many, and as many each time.
-#[inline]
-fn decimals_of(text: &[u8], number: u64) -> (u64, usize) {
-    let Some(eight) = text.first_chunk() else { return leading_digits(text, 0, number) };
-    let (digits, count) = leading_of_eight(*eight);
-    let number = number.wrapping_mul(SHIFTS[count]).wrapping_add(digits);
-    if count < 8 { (number, count) } else { leading_digits(text, count, number) }
-}
-
 /// Appends the digits from one place on to a number, and says where they end. Too many of them wrap around.
 #[inline]
 fn leading_digits(text: &[u8], mut at: usize, mut number: u64) -> (u64, usize) {
@@ -66,21 +55,6 @@ fn leading_digits(text: &[u8], mut at: usize, mut number: u64) -> (u64, usize) {
         at += 1;
     }
     (number, at)
-}
-
-/// The number that eight bytes begin with, and how many digits it has: all bytes at once, as parts of a word.
-#[inline]
-fn leading_of_eight(text: [u8; 8]) -> (u64, usize) {
-    let bytes = u64::from_le_bytes(text) ^ u64::from_le_bytes([b'0'; 8]);
-    // The uppermost bit of every byte above 9. A carry out of a byte goes to those behind it only.
-    let others = (bytes.wrapping_add(0x7676_7676_7676_7676) | bytes) & 0x8080_8080_8080_8080;
-    let count = others.trailing_zeros() / 8;
-    // Zeros in front, so that there are eight digits.
-    let ones = bytes.unbounded_shl(64 - 8 * count);
-    let twos = (ones.wrapping_mul(10) + (ones >> 8)) & 0x00ff_00ff_00ff_00ff;
-    let fours = (twos.wrapping_mul(100) + (twos >> 16)) & 0x0000_ffff_0000_ffff;
-    let number = (fours.wrapping_mul(10_000) + (fours >> 32)) & 0xffff_ffff;
-    (number, count as usize)
 }
 
 #[cfg(test)]
