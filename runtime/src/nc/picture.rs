@@ -84,48 +84,29 @@ impl Picture {
         if start == point && end == point {
             start -= 1; // some digit must stand there
         }
+        digits.print(start, point, out);
         if self.point == Point::Always || (self.point == Point::Needed && end > point) {
-            put(with_point(digits.from(start), point - start), end - start + 1, out);
-        } else {
-            put(digits.from(start), end - start, out);
+            out.push(b'.');
         }
+        digits.print(point, end, out);
     }
 }
 
 /// Prints a whole number in decimal.
 pub fn print_whole(number: u64, out: &mut Vec<u8>) {
     let digits = Digits::of(number % Digits::LIMIT);
-    let start = if number >= Digits::LIMIT {
+    if number >= Digits::LIMIT {
         print_whole(number / Digits::LIMIT, out);
-        0
+        digits.print(0, Digits::COUNT, out);
     } else {
-        digits.first.min(Digits::COUNT - 1)
-    };
-    put(digits.from(start), Digits::COUNT - start, out);
-}
-
-/// Sixteen characters, the first in the lowest byte.
-type Text = u128;
-
-/// Prints the first characters of a text. All of them are copied and the rest taken back: a copy of fixed length takes a
-/// fraction of the time of one of few bytes.
-#[inline]
-fn put(text: Text, length: usize, out: &mut Vec<u8>) {
-    let end = out.len() + length;
-    out.extend_from_slice(&text.to_le_bytes());
-    out.truncate(end);
-}
-
-/// The text with a point behind its first characters. (Pictures have fewer than sixteen digits: none is lost.)
-#[inline]
-fn with_point(text: Text, before: usize) -> Text {
-    let behind = Text::MAX << (8 * before);
-    (text & !behind) | Text::from(b'.') << (8 * before) | (text & behind) << 8
+        digits.print(digits.first.min(Digits::COUNT - 1), Digits::COUNT, out);
+    }
 }
 
 /// The sixteen digits of a number, zeros in front.
 struct Digits {
-    text: Text,
+    /// The digits, and room for a copy that begins at the last of them.
+    text: [u8; 2 * Self::COUNT],
     /// Where the first digit other than zero stands; the end for zero.
     first: usize,
     /// Behind the last digit other than zero; the start for zero.
@@ -144,15 +125,21 @@ impl Digits {
             _ => (eight_digits((number / 100_000_000) as u32), eight_digits((number % 100_000_000) as u32)),
         };
         let digits = u128::from(low) << 64 | u128::from(high);
+        let mut text = [b'0'; 2 * Self::COUNT];
+        text[..Self::COUNT].copy_from_slice(&(digits | u128::from_le_bytes([b'0'; 16])).to_le_bytes());
         let first = digits.trailing_zeros() as usize / 8;
         let behind_last = Self::COUNT - digits.leading_zeros() as usize / 8;
-        Self { text: digits | Text::from_le_bytes([b'0'; Self::COUNT]), first, behind_last }
+        Self { text, first, behind_last }
     }
 
-    /// The digits from one place on.
+    /// Prints the digits from one place to another. All of them are copied and the rest taken back: a copy of fixed
+    /// length takes a fraction of the time of one of few bytes.
     #[inline]
-    fn from(&self, start: usize) -> Text {
-        self.text >> (8 * start)
+    fn print(&self, from: usize, to: usize, out: &mut Vec<u8>) {
+        let end = out.len() + to - from;
+        let window = self.text[from..].first_chunk::<{ Self::COUNT }>();
+        out.extend_from_slice(window.expect("a place among the digits has as many bytes behind it"));
+        out.truncate(end);
     }
 }
 
