@@ -1,7 +1,18 @@
 //! Parts of a post, each by itself: `cargo bench --bench parts`.
 
+#[path = "parts/by_hand.rs"]
+mod by_hand;
+// What `machc emit rust` writes; a test keeps the files as they are written now.
+#[allow(dead_code)]
+#[rustfmt::skip]
+#[path = "../tests/emit/golden/dmu50ev.rs"]
+mod dmu50ev;
 #[path = "throughput/sine_cl.rs"]
 mod sine_cl;
+#[allow(dead_code)]
+#[rustfmt::skip]
+#[path = "../tests/emit/golden/tmv710a.rs"]
+mod tmv710a;
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
@@ -56,7 +67,41 @@ fn inverse_all_branches(bencher: Bencher<'_, '_>, name: &str) {
     let mut interpreter = Interpreter::new(&machine(name).plan);
     let mut solutions = SolutionBlock::new(interpreter.branch_count(), interpreter.axis_count());
     let poses = poses();
-    bencher.counter(ItemsCount::new(LANES)).bench_local(|| interpreter.inverse(&poses, 150.0, &mut solutions));
+    bencher.counter(ItemsCount::new(LANES)).bench_local(|| interpreter.inverse(&poses, &[], 150.0, &mut solutions));
+}
+
+/// The machines that have a generated solver and one written by hand.
+const SOLVED_BY_HAND: [&str; 2] = ["tmv710a", "dmu50ev"];
+
+#[divan::bench(args = SOLVED_BY_HAND)]
+fn inverse_generated(bencher: Bencher<'_, '_>, name: &str) {
+    let mut solver: Box<dyn Kinematics> = match name {
+        "tmv710a" => Box::new(tmv710a::Solver),
+        _ => Box::new(dmu50ev::Solver),
+    };
+    let mut solutions = SolutionBlock::new(solver.branch_count(), solver.axis_count());
+    let poses = poses();
+    bencher.counter(ItemsCount::new(LANES)).bench_local(|| solver.inverse(&poses, &[], 150.0, &mut solutions));
+}
+
+#[divan::bench(args = SOLVED_BY_HAND)]
+fn inverse_by_hand(bencher: Bencher<'_, '_>, name: &str) {
+    let solve = if name == "tmv710a" { by_hand::trunnion } else { by_hand::nutating };
+    let mut interpreter = Interpreter::new(&machine(name).plan);
+    let (mut solutions, mut expected) = (SolutionBlock::new(2, 5), SolutionBlock::new(2, 5));
+    let poses = poses();
+    interpreter.inverse(&poses, &[], 150.0, &mut expected);
+    solve(&poses, 150.0, &mut solutions);
+    assert_close(&solutions, &expected);
+    bencher.counter(ItemsCount::new(LANES)).bench_local(|| solve(&poses, 150.0, &mut solutions));
+}
+
+/// Whoever is faster must not be so by being wrong.
+fn assert_close(found: &SolutionBlock, expected: &SolutionBlock) {
+    let numbers = |block: &SolutionBlock| block.branches.iter().flatten().flatten().copied().collect::<Vec<f64>>();
+    for (found, expected) in numbers(found).into_iter().zip(numbers(expected)) {
+        assert!((found - expected).abs() < 1e-9, "{found} is not {expected}");
+    }
 }
 
 #[divan::bench(args = MACHINES)]

@@ -11,6 +11,7 @@ use crate::model::dialect::dialect;
 use crate::model::library::Library;
 use crate::model::load::load;
 use crate::model::machine::Model;
+use crate::model::origin::{Origins, origins};
 use crate::model::source::SourceMap;
 use crate::model::{family, library};
 use crate::plan::Plan;
@@ -30,6 +31,8 @@ pub trait Sources {
 pub struct Compiled {
     /// The checked machine.
     pub model: Model,
+    /// Where its statements stand.
+    pub origins: Origins,
     /// What was derived of it.
     pub plan: Plan,
     /// How far the derivation was from exact when it was tried.
@@ -63,11 +66,12 @@ pub fn compile(entry: &str, sources: &dyn Sources) -> Result<Compiled, Vec<Diagn
     }
     refuse_errors(&program.sources, &mut found)?;
 
+    let origins = origins(&draft);
     let plan = derive(&model);
     let proof = prove::prove(&plan, model.tool.length_mm);
     found.extend(prove::check(&model, &proof));
     refuse_errors(&program.sources, &mut found)?;
-    Ok(Compiled { model, plan, proof, warnings: found })
+    Ok(Compiled { model, origins, plan, proof, warnings: found })
 }
 
 /// Puts what was found in the order of the text, and ends the work if an error is among it.

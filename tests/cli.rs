@@ -35,6 +35,9 @@ fn files_that_are_not_there_are_no_mistake_of_the_input() {
     for arguments in [
         &["check", "no.mach"][..],
         &["show", "no.mach"],
+        &["emit", "rust", "no.mach"],
+        &["emit", "c", "mill.mach", "-o", "no/mill.c"],
+        &["emit", "pascal", "mill.mach"],
         &["post", "no.mach", "part.cls"],
         &["post", "mill.mach", "no.cls"],
         &["solve", "mill.mach", "no.cls"],
@@ -91,6 +94,27 @@ fn a_point_that_cannot_be_reached_is_shown_with_its_line() {
     workshop.write("far.cls", "FEDRAT/100\nGOTO/0,0,0\nGOTO/9999,0,0 $$ far\n");
     let run = workshop.run(&["post", "mill.mach", "far.cls"]);
     assert!(run.stderr.contains("3 | GOTO/9999,0,0 $$ far\n"), "{}", run.stderr);
+}
+
+#[test]
+fn source_code_appears_whole_or_not_at_all() {
+    let workshop = Workshop::new("emit");
+    for (form, wanted) in [("rust", "impl Kinematics for Solver {"), ("c", "int kinematicsInverse(")] {
+        let printed = workshop.run(&["emit", form, "mill.mach"]);
+        assert_eq!((printed.status, printed.stderr.as_str()), (0, ""));
+        assert!(printed.stdout.contains(wanted) && printed.stdout.contains("from mill.mach"), "{}", printed.stdout);
+        let run = workshop.run(&["emit", form, "mill.mach", "-o", "source"]);
+        assert_eq!((run.status, run.stdout.as_str()), (0, ""), "{}", run.stderr);
+        assert_eq!(workshop.read("source"), printed.stdout);
+    }
+    let machine = "machine lathe {\n  chain w C1 b X Y Z t\n  linear X along +x\n  linear Y along +y\n  linear Z along +z\n\
+                   rotary C1 about +z\n  tool along +x\n}\n";
+    workshop.write("renamed.mach", machine);
+    let before = workshop.read("source");
+    let run = workshop.run(&["emit", "c", "renamed.mach", "-o", "source"]);
+    assert_eq!((run.status, run.stdout.as_str()), (1, ""));
+    assert!(run.stderr.starts_with("error[E0602]") && run.stderr.contains("--> renamed.mach:6:"), "{}", run.stderr);
+    assert_eq!(workshop.read("source"), before);
 }
 
 #[test]

@@ -4,6 +4,7 @@
 use mach_runtime::kinematics::{LANES, PoseBlock};
 use mach_runtime::machine::{BranchPolicy, Motion, Strictness, Travel, Written};
 use machc::derive::derive;
+use machc::model::errors::Errors;
 use machc::model::machine::{Axis, Joint, Model, Tool};
 use nalgebra::Vector3;
 use proptest::prelude::*;
@@ -71,6 +72,7 @@ prop_compose! {
             chain: order.iter().zip(primes).map(|(&axis, primed)| Joint { axis, primed }).collect(),
             bed: 0,
             tool: Tool { axis: tool.0, gauge_mm: tool.1, length_mm: tool.2 },
+            errors: Errors::default(),
             zero_mm: Vector3::zeros(),
             axis_tolerance_rad: 1e-6,
             chord_tolerance_mm: 0.01,

@@ -5,50 +5,20 @@
 //! three ways: the linear joints for its rotary angles, the forward chain of its joints, and the inverse of that pose.
 
 use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock, SolutionBlock};
-use mach_runtime::vector::{Vec3, norm, sub};
-use machc::compile::{Compiled, Sources};
+use mach_runtime::vector::{norm, sub};
+use machc::compile::Compiled;
 use machc::model::machine::Model;
 use machc::plan::Interpreter;
-use serde::Deserialize;
-use std::collections::BTreeMap;
-use std::fs;
 
 #[path = "common/machine.rs"]
 mod machine;
+#[path = "common/rows.rs"]
+mod rows;
+
+use rows::{Row, Templates};
 
 /// Of lengths in millimetres and of angles in degrees.
 const BOUND: f64 = 1e-9;
-
-/// One pose.
-#[derive(Deserialize)]
-struct Row {
-    parameters: BTreeMap<String, f64>,
-    tip: Vec3,
-    joints: BTreeMap<String, f64>,
-}
-
-/// Machine files with a row's values behind their `let`s.
-struct Templates<'a>(&'a Row);
-
-impl Sources for Templates<'_> {
-    fn read(&self, path: &str) -> Result<String, String> {
-        let template = machine::Files.read(path)?;
-        let mut left: Vec<&str> = self.0.parameters.keys().map(String::as_str).collect();
-        let text = template.lines().map(|line| {
-            let Some((name, value)) = line.trim_start().strip_prefix("let ").and_then(|rest| rest.split_once(" = "))
-            else {
-                return line.to_owned() + "\n";
-            };
-            let name = name.trim_end();
-            left.retain(|parameter| *parameter != name);
-            let unit = value.split_whitespace().nth(1).expect("every parameter has a unit");
-            format!("let {name} = {} {unit}\n", self.0.parameters[name])
-        });
-        let text = text.collect();
-        assert!(left.is_empty(), "no parameter of the machine is called {left:?}");
-        Ok(text)
-    }
-}
 
 /// The row's joints in the order of the model.
 fn joints(model: &Model, row: &Row) -> Vec<f64> {
@@ -79,8 +49,9 @@ fn check(name: &str, Compiled { model, plan, .. }: &Compiled, row: &Row) {
     machine.forward(&block, model.tool.length_mm, &mut pose);
     assert!(norm(sub(pose.tip(0), row.tip)) <= BOUND, "{name}: {:?} is not {:?}", pose.tip(0), row.tip);
 
+    let surplus: Vec<_> = machine.surplus_axes().iter().map(|&axis| [wanted[axis]; LANES]).collect();
     let mut solutions = SolutionBlock::new(machine.branch_count(), machine.axis_count());
-    machine.inverse(&pose, model.tool.length_mm, &mut solutions);
+    machine.inverse(&pose, &surplus, model.tool.length_mm, &mut solutions);
     let is_wanted = |candidate: &Vec<[f64; LANES]>| {
         let same = |axis| if rotary(axis) { same_angle } else { close }(candidate[axis][0], wanted[axis]);
         (0..5).all(same)
@@ -92,10 +63,7 @@ fn check(name: &str, Compiled { model, plan, .. }: &Compiled, row: &Row) {
 
 #[test]
 fn machines_of_linuxcnc_have_the_joints_that_linuxcnc_computes() {
-    let rows = fs::read_to_string(machine::root().join("tests/linuxcnc/rows.json")).expect("readable");
-    let machines: BTreeMap<String, Vec<Row>> = serde_json::from_str(&rows).expect("rows of numbers");
-    assert_eq!(machines.len(), 7);
-    for (name, rows) in machines {
+    for (name, rows) in rows::all() {
         assert!(rows.len() >= 6, "{name}");
         for row in &rows {
             check(&name, &machine::compiled(&format!("tests/linuxcnc/{name}.mach"), &Templates(row)), row);

@@ -52,14 +52,19 @@ pub struct SolutionBlock {
     /// Zero where the wanted direction is within reach. Else minus the angle to the nearest direction that is, in
     /// radians (to first order); the candidates are then about the closest that the machine can do.
     pub reach_rad: Lane,
-    /// The sine of the angle between the wanted direction and the pole. At zero the first rotary is free.
+    /// The sine of the angle between the wanted direction and the pole. At zero the first rotary is free. Where the
+    /// position decides the rotary (X Z C), the tip's distance from its axis in metres: at zero it is free.
     pub pole_sine: Lane,
+    /// Zero where the wanted tip is within reach of the linear axes. Else how far it is from there, in millimetres
+    /// (to first order): only machines with fewer than three linear axes know such tips.
+    pub gap_mm: Lane,
 }
 
 impl SolutionBlock {
     /// A block to be filled.
     pub fn new(branches: usize, axes: usize) -> Self {
-        Self { branches: vec![vec![[0.0; LANES]; axes]; branches], reach_rad: [0.0; LANES], pole_sine: [0.0; LANES] }
+        let branches = vec![vec![[0.0; LANES]; axes]; branches];
+        Self { branches, reach_rad: [0.0; LANES], pole_sine: [0.0; LANES], gap_mm: [0.0; LANES] }
     }
 }
 
@@ -74,12 +79,60 @@ pub trait Kinematics {
     /// The axis that is free at the pole, if the machine has one.
     fn free_axis(&self) -> Option<usize>;
 
-    /// Every candidate for each pose of the block.
-    fn inverse(&mut self, poses: &PoseBlock, tool_length_mm: f64, out: &mut SolutionBlock);
+    /// The axes that the pose leaves open, as indices: an inverse is given their values.
+    fn surplus_axes(&self) -> &[usize] {
+        &[]
+    }
 
-    /// The linear joints for given rotary joints (already in `joints`) that put the tip on `tip_mm`; one pose.
+    /// Every candidate for each pose of the block. `surplus[s]` holds the values of axis `surplus_axes()[s]`, in
+    /// millimetres or degrees; the candidates repeat them.
+    fn inverse(&mut self, poses: &PoseBlock, surplus: &[Lane], tool_length_mm: f64, out: &mut SolutionBlock);
+
+    /// The linear joints that put the tip on `tip_mm`, for the rotary joints and the surplus ones that are already in
+    /// `joints`; one pose.
     fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]);
 
     /// The pose of each lane's joints.
     fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock);
+
+    /// The pose of each lane's joints with these errors of the axes: one lane for each of
+    /// [`crate::machine::Machine::errors`], in millimetres or radians. Only a machine with such tables needs it.
+    fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool_length_mm: f64, out: &mut PoseBlock) {
+        assert!(deviations.is_empty(), "a machine with error tables has a forward chain for them");
+        self.forward(joints, tool_length_mm, out);
+    }
+}
+
+impl<K: Kinematics + ?Sized> Kinematics for &mut K {
+    fn axis_count(&self) -> usize {
+        (**self).axis_count()
+    }
+
+    fn branch_count(&self) -> usize {
+        (**self).branch_count()
+    }
+
+    fn free_axis(&self) -> Option<usize> {
+        (**self).free_axis()
+    }
+
+    fn surplus_axes(&self) -> &[usize] {
+        (**self).surplus_axes()
+    }
+
+    fn inverse(&mut self, poses: &PoseBlock, surplus: &[Lane], tool_length_mm: f64, out: &mut SolutionBlock) {
+        (**self).inverse(poses, surplus, tool_length_mm, out);
+    }
+
+    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) {
+        (**self).position(tip_mm, tool_length_mm, joints);
+    }
+
+    fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {
+        (**self).forward(joints, tool_length_mm, out);
+    }
+
+    fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool_length_mm: f64, out: &mut PoseBlock) {
+        (**self).forward_actual(joints, deviations, tool_length_mm, out);
+    }
 }

@@ -8,8 +8,10 @@
 pub mod branch;
 pub mod certificate;
 pub mod cl;
+pub mod compensation;
 mod decimal;
 pub mod diagnostic;
+pub mod error_table;
 pub mod kinematics;
 pub mod machine;
 pub mod nc;

@@ -1,5 +1,7 @@
 //! What a post knows of its machine, apart from the kinematics: axes, travel, written range, policies.
 
+use crate::error_table::ErrorTable;
+
 /// One machine axis. A linear joint value is in millimetres, a rotary one in degrees, both in machine
 /// coordinates: zero where the machine file's frame has the axis at zero.
 #[derive(Debug, Clone, PartialEq)]
@@ -141,4 +143,6 @@ pub struct Machine {
     pub zero_mm: [f64; 3],
     /// The tool's gauge length, in millimetres: what the control's length compensation takes into account.
     pub tool_length_mm: f64,
+    /// The errors that depend on where an axis is; the kinematics' inputs are in this order.
+    pub errors: Vec<ErrorTable>,
 }

@@ -2,17 +2,18 @@
 
 use crate::branch::{Candidate, Choice, Chooser};
 use crate::cl::event::{Approach, Point};
+use crate::compensation::Compensated;
 use crate::kinematics::{Kinematics, LANES, PoseBlock, SolutionBlock};
 use crate::machine::Machine;
 use crate::vector::add;
 
-/// Solves a path of any length. The points of a block are solved together: where the first rotary is free and the tool
+/// Solves a path of any length, with the machine's errors compensated. The points of a block are solved together: where the first rotary is free and the tool
 /// not in a cut, it looks ahead to the end of the block, so that it stands right when the cut begins to tilt.
 pub struct PathSolver<'a> {
     machine: &'a Machine,
-    pub(crate) kinematics: &'a mut (dyn Kinematics + Send),
+    kinematics: Compensated<'a, &'a mut (dyn Kinematics + Send)>,
     /// The poses of the last block, in the machine frame; lanes beyond its points repeat its last point.
-    pub(crate) poses: PoseBlock,
+    poses: PoseBlock,
     solutions: SolutionBlock,
     chooser: Chooser<'a>,
 }
@@ -49,7 +50,7 @@ impl<'a> PathSolver<'a> {
         assert_eq!(axes, machine.axes.len(), "tables and kinematics are of one machine");
         Self {
             machine,
-            kinematics,
+            kinematics: Compensated::new(kinematics, machine),
             poses: PoseBlock::ZERO,
             solutions: SolutionBlock::new(branches, axes),
             chooser: Chooser::new(machine, branches),
@@ -64,12 +65,12 @@ impl<'a> PathSolver<'a> {
             let point = points.get(lane).unwrap_or(last);
             self.poses.set(lane, add(point.tip_mm, self.machine.zero_mm), point.axis);
         }
-        self.kinematics.inverse(&self.poses, self.machine.tool_length_mm, &mut self.solutions);
+        self.kinematics.inverse(&self.poses, &[], self.machine.tool_length_mm, &mut self.solutions);
         for (lane, point) in points.iter().enumerate() {
             let is_first = !self.chooser.has_position();
             let in_cut = !is_first && matches!(point.approach, Approach::Feed(_));
             let ahead = if in_cut { 0..0 } else { lane + 1..points.len() };
-            let choice = self.chooser.choose(&self.solutions, lane, ahead, self.poses.tip(lane), self.kinematics);
+            let choice = self.chooser.choose(&self.solutions, lane, ahead, self.poses.tip(lane), &mut self.kinematics);
             each(&Solved { point, lane, choice, candidates: self.chooser.candidates(), is_first });
         }
     }

@@ -1,8 +1,9 @@
 //! `machc check`.
 
+use mach_command::outcome::{Failure, Status};
+use mach_command::report::Report;
+
 use super::machine::{prepare, status};
-use super::report::Report;
-use super::{Failure, Status};
 
 /// Check machine files
 ///

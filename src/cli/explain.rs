@@ -1,9 +1,10 @@
 //! `machc explain`.
 
+use mach_command::outcome::{Failure, Status};
+use mach_command::output::print;
 use machc::diagnostic::{self, Code};
 
-use super::output::print;
-use super::{Failure, Status, joints, post};
+use super::{joints, post};
 
 /// Explain the code of a diagnostic
 #[derive(Debug, clap::Args)]

@@ -2,13 +2,12 @@
 
 use std::path::Path;
 
+use mach_command::files::{cannot_read, shown, text};
+use mach_command::outcome::{Failure, Status};
+use mach_command::output::{print, write_file};
+use mach_command::report::Report;
 use machc::syntax::parse::parse;
 use machc::syntax::print::print as printed;
-
-use super::files::{cannot_read, shown, text};
-use super::output::{print, write_file};
-use super::report::Report;
-use super::{Failure, Status};
 
 /// Put machine files into the canonical form
 ///

@@ -2,6 +2,11 @@
 
 use std::io::{BufRead, BufReader, Read};
 
+use mach_command::files::{cannot_read, open, shown};
+use mach_command::outcome::{Failure, Status};
+use mach_command::output::Lines;
+use mach_command::progress::watched;
+use mach_command::report::Report;
 use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock};
 use mach_runtime::machine::Machine;
 use mach_runtime::vector::sub;
@@ -10,12 +15,7 @@ use machc::plan::Interpreter;
 use serde::Serialize;
 use serde_json::Value;
 
-use super::files::{cannot_read, open, shown};
 use super::machine::Prepared;
-use super::output::Lines;
-use super::progress::watched;
-use super::report::Report;
-use super::{Failure, Status};
 
 /// The longest line that is read.
 const LONGEST_LINE_BYTES: u64 = 64 * 1024;

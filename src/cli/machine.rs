@@ -2,6 +2,9 @@
 
 use std::path::Path;
 
+use mach_command::files::shown;
+use mach_command::outcome::{Failure, Status};
+use mach_command::report::Report;
 use mach_runtime::machine::Machine;
 use machc::compile::{Compiled, compile};
 use machc::derive::prove::Proof;
@@ -10,9 +13,7 @@ use machc::emit::tables;
 use machc::model::machine::Model;
 use machc::plan::Plan;
 
-use super::files::{Folders, shown};
-use super::report::Report;
-use super::{Failure, Status};
+use super::folders::Folders;
 
 /// The code of a file that cannot be read; without a place it is the one that the arguments name.
 const CANNOT_READ: &str = "E0201";
@@ -33,11 +34,23 @@ pub(super) fn prepare(file: &str, report: &Report) -> Result<Option<Prepared>, F
 
 /// The same for a file that is named as seen from another folder.
 pub(super) fn prepare_in(base: &Path, file: &str, report: &Report) -> Result<Option<Prepared>, Failure> {
+    let prepared = |Compiled { model, plan, proof, .. }: Compiled| {
+        let machine = tables::machine(&model);
+        Prepared { model, machine, plan, proof }
+    };
+    Ok(compiled_in(base, file, report)?.map(prepared))
+}
+
+/// Compiles a machine file and tells what there is to tell, without making anything of it.
+pub(super) fn compiled(file: &str, report: &Report) -> Result<Option<Compiled>, Failure> {
+    compiled_in(Path::new(""), file, report)
+}
+
+fn compiled_in(base: &Path, file: &str, report: &Report) -> Result<Option<Compiled>, Failure> {
     match compile(file, &Folders { base, entry: file }) {
-        Ok(Compiled { model, plan, proof, warnings }) => {
-            report.tell(&warnings);
-            let machine = tables::machine(&model);
-            Ok(Some(Prepared { model, machine, plan, proof }))
+        Ok(compiled) => {
+            report.tell(&compiled.warnings);
+            Ok(Some(compiled))
         }
         Err(diagnostics) => {
             let unreadable =

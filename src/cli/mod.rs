@@ -1,32 +1,29 @@
 //! The command line: arguments, files, progress. The only place that does I/O.
 
+mod build;
 mod builtin;
 mod check;
 mod diff;
+mod emit;
 mod explain;
-mod files;
 mod fmt;
+mod folders;
 mod joints;
-mod json;
 mod machine;
 mod new;
-mod output;
 mod post;
-mod progress;
-mod report;
 mod review;
 mod show;
 mod solve;
 mod test;
 mod text_diff;
-mod toolpath;
 mod workspace;
 
 use std::process::ExitCode;
 
-use clap::{Args, Parser, Subcommand};
-
-use report::{ColorChoice, Report};
+use clap::{Parser, Subcommand};
+use mach_command::outcome::exit_code;
+use mach_command::report::{Report, ReportOptions};
 
 /// A compiler for machine tools.
 ///
@@ -41,20 +38,7 @@ struct Arguments {
     #[command(subcommand)]
     command: Command,
     #[command(flatten)]
-    global: Global,
-}
-
-#[derive(Debug, Args)]
-struct Global {
-    /// Write diagnostics, certificates and results as JSON lines, for tools
-    #[arg(long, global = true)]
-    json: bool,
-    /// When to use colours; auto: on a terminal, unless NO_COLOR is set
-    #[arg(long, global = true, value_name = "WHEN", value_enum, default_value_t = ColorChoice::Auto)]
-    color: ColorChoice,
-    /// Say nothing but errors
-    #[arg(short, long, global = true)]
-    quiet: bool,
+    report: ReportOptions,
 }
 
 #[derive(Debug, Subcommand)]
@@ -63,6 +47,8 @@ enum Command {
     Check(check::Arguments),
     Post(post::Arguments),
     Show(show::Arguments),
+    Build(build::Arguments),
+    Emit(emit::Arguments),
     Solve(solve::Arguments),
     Fmt(fmt::Arguments),
     Test(test::Arguments),
@@ -71,27 +57,17 @@ enum Command {
     Explain(explain::Arguments),
 }
 
-/// What a command came to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Status {
-    Done,
-    /// The input has errors, and they have been told.
-    Refused,
-}
-
-/// Wrong usage, or a file that cannot be read or written: what is to be said of it.
-#[derive(Debug)]
-struct Failure(String);
-
 /// Runs the command that the arguments ask for.
 pub(crate) fn run() -> ExitCode {
-    let Arguments { command, global } = Arguments::parse();
-    let mut report = Report::new(global.json, global.color, global.quiet);
+    let Arguments { command, report } = Arguments::parse();
+    let mut report = Report::new(report);
     let outcome = match command {
         Command::New(arguments) => new::run(arguments, &report),
         Command::Check(arguments) => check::run(arguments, &mut report),
         Command::Post(arguments) => post::run(arguments, &mut report),
         Command::Show(arguments) => show::run(arguments, &mut report),
+        Command::Build(arguments) => build::run(arguments, &report),
+        Command::Emit(arguments) => emit::run(arguments, &report),
         Command::Solve(arguments) => solve::run(arguments, &mut report),
         Command::Fmt(arguments) => fmt::run(arguments, &mut report),
         Command::Test(arguments) => test::run(arguments, &report),
@@ -99,12 +75,5 @@ pub(crate) fn run() -> ExitCode {
         Command::Diff(arguments) => diff::run(arguments, &report),
         Command::Explain(arguments) => explain::run(arguments),
     };
-    match outcome {
-        Ok(Status::Done) => ExitCode::SUCCESS,
-        Ok(Status::Refused) => ExitCode::from(1),
-        Err(failure) => {
-            report.failure(&failure);
-            ExitCode::from(2)
-        }
-    }
+    exit_code(outcome, &report)
 }

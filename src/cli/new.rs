@@ -5,14 +5,15 @@ use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 
+use mach_command::files::cannot_write;
+use mach_command::outcome::{Failure, Status};
+use mach_command::output::print;
+use mach_command::report::Report;
 use machc::syntax::parse::parse;
 use machc::syntax::spelling::nearest;
 use machc::syntax::tree::Item;
 
-use super::files::cannot_write;
-use super::output::print;
-use super::report::Report;
-use super::{Failure, Status, builtin};
+use super::builtin;
 
 /// The controller in the families' texts.
 const DEFAULT_CONTROLLER: &str = "syntec";

@@ -1,19 +1,14 @@
 //! `machc post`.
 
-use std::num::NonZeroUsize;
-use std::thread::available_parallelism;
-
-use mach_runtime::post::{Job, post};
+use mach_command::files::shown;
+use mach_command::outcome::{Failure, Status};
+use mach_command::post::{PostOptions, post};
+use mach_command::report::Report;
 use machc::diagnostic::{Code, Diagnostic, Place};
 use machc::model::machine::Model;
 use machc::plan::Interpreter;
 
-use super::files::{cannot_read, shown, stem};
 use super::machine::prepare;
-use super::output::Output;
-use super::report::{Collected, Report};
-use super::toolpath::{Options, quoted};
-use super::{Failure, Status};
 
 /// A machine that nothing can be posted for.
 pub(super) static NO_CONTROLLER: Code = Code {
@@ -40,44 +35,16 @@ checked, shown and solved without one, but not posted for. Name one:
 pub(super) struct Arguments {
     /// The machine file
     machine: String,
-    /// The CL file; - reads standard input
-    cl: String,
-    /// The NC file; without it, or with -, standard output
-    #[arg(short, long, value_name = "NC")]
-    output: Option<String>,
-    /// Threads to work with; as many as the machine has, where it is not given
-    #[arg(long, value_name = "COUNT")]
-    threads: Option<NonZeroUsize>,
-    /// The program's name; the CL file's name where it is not given
-    #[arg(long, value_name = "NAME")]
-    program: Option<String>,
     #[command(flatten)]
-    options: Options,
+    post: PostOptions,
 }
 
 pub(super) fn run(arguments: Arguments, report: &mut Report) -> Result<Status, Failure> {
-    let Arguments { machine, cl, output, threads, program, options } = arguments;
-    let Some(prepared) = prepare(&machine, report)? else { return Ok(Status::Refused) };
+    let Some(prepared) = prepare(&arguments.machine, report)? else { return Ok(Status::Refused) };
     let Some(dialect) = &prepared.model.dialect else {
-        return Ok(report.tell(&[no_controller(&prepared.model, &machine)]));
+        return Ok(report.tell(&[no_controller(&prepared.model, &arguments.machine)]));
     };
-    let machine = options.equipped(prepared.machine);
-    let reader = options.reader(&cl, &machine, report)?;
-    let program = program.as_deref().or(stem(&cl)).unwrap_or(&machine.name);
-    let job = Job { file: shown(&cl), program, machine: &machine, dialect };
-    let mut nc = Output::begin(output.as_deref())?;
-    let mut told = Collected::default();
-    let mut tell = |diagnostic| told.add(diagnostic);
-    let threads = threads.or_else(|| available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN);
-    let certificate = match post(job, &Interpreter::new(&prepared.plan), reader, &mut nc, threads, &mut tell) {
-        Ok(certificate) => certificate,
-        Err(error) => return Err(nc.into_failure().unwrap_or_else(|| cannot_read(&cl, &error))),
-    };
-    let status = report.tell(&quoted(told.into_diagnostics(), &cl));
-    let Some(certificate) = certificate else { return Ok(Status::Refused) };
-    nc.commit()?;
-    report.certificate(&machine.name, &certificate);
-    Ok(status)
+    post(prepared.machine, dialect, &Interpreter::new(&prepared.plan), &arguments.post, report)
 }
 
 /// Nothing can be posted for this machine.

@@ -4,14 +4,14 @@ use std::fs;
 use std::io::{BufRead, stdin};
 use std::path::Path;
 
+use mach_command::files::{cannot_read, cannot_write};
+use mach_command::outcome::{Failure, Status};
+use mach_command::output::{print, write_file};
+use mach_command::report::Report;
 use machc::snapshot::file::Snapshot;
 
-use super::files::{cannot_read, cannot_write};
-use super::output::{print, write_file};
-use super::report::Report;
 use super::text_diff::Changes;
 use super::workspace::Workspace;
-use super::{Failure, Status};
 
 /// Look through what machc test (or cargo test) has found to differ
 ///

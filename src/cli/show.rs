@@ -1,11 +1,11 @@
 //! `machc show`.
 
+use mach_command::outcome::{Failure, Status};
+use mach_command::output::print;
+use mach_command::report::Report;
 use machc::emit::data_sheet::data_sheet;
 
 use super::machine::prepare;
-use super::output::print;
-use super::report::Report;
-use super::{Failure, Status};
 
 /// Show what was derived from a machine file
 ///

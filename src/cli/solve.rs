@@ -1,5 +1,10 @@
 //! `machc solve`.
 
+use mach_command::files::cannot_read;
+use mach_command::outcome::{Failure, Status};
+use mach_command::output::Lines;
+use mach_command::report::{Collected, Report};
+use mach_command::toolpath::{Options, quoted};
 use mach_runtime::branch::{Candidate, Choice};
 use mach_runtime::cl::Next;
 use mach_runtime::cl::event::{Approach, Point};
@@ -10,12 +15,8 @@ use machc::plan::Interpreter;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use super::files::cannot_read;
+use super::joints;
 use super::machine::{Prepared, prepare};
-use super::output::Lines;
-use super::report::{Collected, Report};
-use super::toolpath::{Options, quoted};
-use super::{Failure, Status, joints};
 
 /// Solve every point of a CL file, as JSON lines
 ///

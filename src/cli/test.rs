@@ -5,17 +5,18 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
 
+use mach_command::files::cannot_read;
+use mach_command::outcome::{Failure, Status};
+use mach_command::output::{Lines, print, write_file};
+use mach_command::report::Report;
 use machc::snapshot::content::{Program, content};
 use machc::snapshot::file::Snapshot;
 use serde::Serialize;
 
-use super::files::cannot_read;
 use super::machine::{Prepared, prepare_in};
-use super::output::{Lines, print, write_file};
-use super::report::Report;
+use super::post;
 use super::text_diff::Changes;
 use super::workspace::Workspace;
-use super::{Failure, Status, post};
 
 /// So many lines of a difference are shown; `machc review` shows all of them.
 const MOST_LINES: usize = 40;

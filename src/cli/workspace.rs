@@ -11,11 +11,10 @@ use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
+use mach_command::files::cannot_read;
+use mach_command::outcome::Failure;
 use machc::syntax::parse::parse;
 use machc::syntax::tree::Item;
-
-use super::Failure;
-use super::files::cannot_read;
 
 const MACHINES: &str = "machines";
 const PROGRAMS: [&str; 2] = ["programs", "examples"];

@@ -1,8 +1,10 @@
 //! The chain as the derivation reads it: elements from the workpiece to the tool, all senses positive.
 
 use super::symbolic::Vector;
+use crate::model::errors::Line;
 use crate::model::machine::Model;
 use crate::plan::{Graph, Id};
+use mach_runtime::error_table::Component;
 use mach_runtime::machine::Motion;
 use nalgebra::Vector3;
 
@@ -10,6 +12,7 @@ use nalgebra::Vector3;
 pub(super) struct Element {
     pub(super) axis: usize,
     pub(super) primed: bool,
+    pub(super) carries_workpiece: bool,
     pub(super) motion: Motion,
     pub(super) direction: Vector3<f64>,
     pub(super) point_mm: Vector3<f64>,
@@ -20,23 +23,27 @@ pub(super) struct Chain {
     pub(super) elements: Vec<Element>,
     pub(super) tool_axis: Vector3<f64>,
     pub(super) gauge_mm: Vector3<f64>,
+    /// The errors that depend on positions, in the order of the plan's inputs.
+    pub(super) tables: Vec<(usize, Component)>,
     axis_count: usize,
 }
 
 impl Chain {
     pub(super) fn of(model: &Model) -> Self {
-        let element = |joint: &crate::model::machine::Joint| {
-            let axis = &model.axes[joint.axis];
+        let element = |(place, joint): (usize, &crate::model::machine::Joint)| {
+            let Line { direction, point_mm } = model.line(joint.axis);
             Element {
                 axis: joint.axis,
                 primed: joint.primed,
-                motion: axis.motion,
-                direction: axis.direction,
-                point_mm: axis.point_mm,
+                carries_workpiece: place < model.bed,
+                motion: model.axes[joint.axis].motion,
+                direction,
+                point_mm,
             }
         };
         Self {
-            elements: model.chain.iter().map(element).collect(),
+            elements: model.chain.iter().enumerate().map(element).collect(),
+            tables: model.errors.tables.iter().map(|table| (table.axis, table.component)).collect(),
             tool_axis: model.tool.axis,
             gauge_mm: model.tool.gauge_mm,
             axis_count: model.axes.len(),

@@ -69,14 +69,15 @@ pub fn reach(model: &Model) -> Option<Reach> {
     match rotaries(model)[..] {
         [] => None,
         [(only, _)] => {
-            let about = model.axes[only].direction;
+            let about = model.line(only).direction;
             let beta = angle(&about, &model.tool.axis);
             Some(Reach { about, least_rad: beta, greatest_rad: beta })
         }
         [(first, _), (second, _), ..] => {
-            let about = model.axes[first].direction;
-            let alpha = angle(&about, &model.axes[second].direction);
-            let beta = angle(&model.axes[second].direction, &model.tool.axis);
+            let about = model.line(first).direction;
+            let second = model.line(second).direction;
+            let alpha = angle(&about, &second);
+            let beta = angle(&second, &model.tool.axis);
             let sum = alpha + beta;
             let greatest_rad = sum.min(2.0 * std::f64::consts::PI - sum);
             Some(Reach { about, least_rad: (alpha - beta).abs(), greatest_rad })

@@ -5,6 +5,7 @@
 //! closed-form: the spherical triangle of the two rotary directions and the tool for the angles (`orientation`), and
 //! what is linear in the linear joints for those (`position`).
 
+mod actual;
 mod chain;
 pub mod family;
 mod forward;
@@ -22,20 +23,25 @@ use mach_runtime::machine::Motion;
 pub fn derive(model: &Model) -> Plan {
     let chain = Chain::of(model);
     let mut graph = Graph::default();
-    let inputs = Plan::inputs(&mut graph, model.axes.len());
+    let inputs = Plan::inputs(&mut graph, model.axes.len(), model.errors.tables.len());
     let orientation = orientation::solve(&mut graph, &chain, inputs.axis);
     let branches = orientation.branches.iter().map(|angles| branch(&mut graph, &chain, &inputs, angles)).collect();
     let given = chain.angles_from_joints(&mut graph, &inputs.joints);
     let placed = position::solve(&mut graph, &chain, inputs.tip, inputs.tool_length, &given);
     let (tip, axis) = forward::pose(&mut graph, &chain, &inputs);
+    let actual = actual::pose(&mut graph, &chain, &inputs);
     Plan {
         branches,
         reach: orientation.reach,
         pole_sine: orientation.pole_sine,
+        gap: graph.constant(0.0),
+        surplus: Vec::new(),
         free_axis: chain.free_axis(),
         position: chain.joint_values(&mut graph, &given, &placed, &inputs.joints),
         tip,
         axis,
+        actual,
+        errors: inputs.errors.len(),
         rotary: model.axes.iter().map(|axis| axis.motion == Motion::Rotary).collect(),
         graph,
     }

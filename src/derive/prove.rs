@@ -3,7 +3,7 @@
 use crate::model::machine::Model;
 use crate::plan::{Interpreter, Plan};
 use mach_runtime::diagnostic::{Code, Diagnostic};
-use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, PoseBlock, SolutionBlock};
+use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, PoseBlock, SolutionBlock};
 use mach_runtime::vector::{angle_rad, norm, sub};
 
 /// E0601.
@@ -74,8 +74,9 @@ pub fn check(model: &Model, proof: &Proof) -> Option<Diagnostic> {
 fn close(machine: &mut Interpreter, joints: &JointBlock, tool_length_mm: f64, proof: &mut Proof) {
     let (mut wanted, mut reached) = (PoseBlock::ZERO, PoseBlock::ZERO);
     machine.forward(joints, tool_length_mm, &mut wanted);
+    let surplus: Vec<Lane> = machine.surplus_axes().iter().map(|&axis| joints[axis]).collect();
     let mut solutions = SolutionBlock::new(machine.branch_count(), machine.axis_count());
-    machine.inverse(&wanted, tool_length_mm, &mut solutions);
+    machine.inverse(&wanted, &surplus, tool_length_mm, &mut solutions);
     for candidate in &solutions.branches {
         machine.forward(candidate, tool_length_mm, &mut reached);
         for lane in 0..LANES {

@@ -5,10 +5,11 @@ pub use mach_runtime::render::{Style, render};
 
 use crate::check;
 use crate::derive::prove;
+use crate::emit::c;
 use crate::model::{arithmetic, describe, evaluate, family, field, function, library, load, parameter};
 
 /// The codes of the model and of the checks; those of the syntax are listed there.
-static CODES: [&Code; 35] = [
+static CODES: [&Code; 36] = [
     &load::CANNOT_READ,
     &load::USE_CYCLE,
     &library::DEFINED_TWICE,
@@ -44,6 +45,7 @@ static CODES: [&Code; 35] = [
     &check::narrow_word::NARROW,
     &check::no_way_out::NO_WAY_OUT,
     &prove::NOT_PROVED,
+    &c::NO_WORLD_COORDINATE,
 ];
 
 /// Every code that machc knows, in the order of their ids.

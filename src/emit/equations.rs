@@ -38,11 +38,16 @@ impl<'g> Notation<'g> {
         line
     }
 
+    /// From now on the name stands for the node.
+    pub fn call(&mut self, id: Id, name: String) {
+        self.names.insert(id, name);
+    }
+
     fn introduce(&mut self, id: Id) -> String {
         let right = self.expression(id);
         self.temporaries += 1;
         let name = format!("t{}", self.temporaries);
-        self.names.insert(id, name.clone());
+        self.call(id, name.clone());
         format!("{name} = {right}")
     }
 
@@ -123,9 +128,9 @@ impl<'g> Notation<'g> {
             Op::Sqrt(a) => (format!("√({})", self.operand(a, Sum)), Atom),
             Op::Sin(a) => (format!("sin {}", self.operand(a, Atom)), Atom),
             Op::Cos(a) => (format!("cos {}", self.operand(a, Atom)), Atom),
-            Op::Atan2(a, b) => self.call("atan2", &[a, b]),
-            Op::Min(a, b) => self.call("min", &[a, b]),
-            Op::Max(a, b) => self.call("max", &[a, b]),
+            Op::Atan2(a, b) => self.function("atan2", &[a, b]),
+            Op::Min(a, b) => self.function("min", &[a, b]),
+            Op::Max(a, b) => self.function("max", &[a, b]),
             Op::Select(a, b, c) => {
                 let [a, b, c] = [a, b, c].map(|part| self.operand(part, Product));
                 (format!("({b} if {a} > 0 else {c})"), Atom)
@@ -227,7 +232,7 @@ impl<'g> Notation<'g> {
         }
     }
 
-    fn call(&self, function: &str, arguments: &[Id]) -> (String, Binding) {
+    fn function(&self, function: &str, arguments: &[Id]) -> (String, Binding) {
         let arguments: Vec<String> = arguments.iter().map(|&a| self.operand(a, Binding::Sum)).collect();
         (format!("{function}({})", arguments.join(", ")), Binding::Atom)
     }

@@ -26,6 +26,7 @@ pub fn machine(model: &Model) -> Machine {
         unknown_records: model.unknown_records,
         zero_mm: model.zero_mm.into(),
         tool_length_mm: model.tool.length_mm,
+        errors: model.errors.tables.clone(),
     }
 }
 

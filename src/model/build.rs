@@ -1,6 +1,7 @@
 //! A draft in which the checks found nothing to a model.
 
 use super::draft::{AxisDraft, Draft, ToolDraft};
+use super::errors::Errors;
 use super::machine::{Axis, Joint, Model, Tool};
 use super::source::Located;
 use crate::syntax::tree::{Link, Name, Preference as Said};
@@ -32,6 +33,7 @@ pub(crate) fn build(draft: &Draft<'_>) -> Model {
         chain: links.iter().filter_map(|link| joint(draft, link)).collect(),
         bed: joints_before_bed(&links[..bed]),
         tool: build_tool(draft.tool.as_ref().expect(CHECKED)),
+        errors: Errors::default(),
         zero_mm: draft.zero_mm.unwrap_or_else(Vector3::zeros),
         axis_tolerance_rad: draft.axis_tolerance_deg.unwrap_or(AXIS_TOLERANCE_DEG).to_radians(),
         chord_tolerance_mm: draft.chord_tolerance_mm.unwrap_or(CHORD_TOLERANCE_MM),

@@ -145,7 +145,7 @@ fn tool(
     let gauge_mm = gauge.map_or(Some(Vector3::zeros()), |point| evaluator.point(at.source, point));
     let length_mm = |length| evaluator.number(at.source, length, Field::Length, Sign::NotNegative);
     let length_mm = length.map_or(Some(0.0), length_mm);
-    ToolDraft { along: direction(evaluator, at, along), gauge_mm, length_mm }
+    ToolDraft { at: at.clone(), along: direction(evaluator, at, along), gauge_mm, length_mm }
 }
 
 fn direction(evaluator: &mut Evaluator<'_>, at: &Location, said: &Expression) -> Option<Located<Vector3<f64>>> {
@@ -162,6 +162,7 @@ fn axis(
     at: &Location,
 ) -> AxisDraft {
     let mut axis = AxisDraft {
+        at: at.clone(),
         name: Located { value: name.value.clone(), at: at.with(&name.span) },
         motion,
         direction: direction(evaluator, at, along),

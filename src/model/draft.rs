@@ -1,6 +1,6 @@
 //! A machine as it was said, evaluated but not yet checked: what the checks look at.
 
-use super::source::{Located, SourceMap};
+use super::source::{Located, Location, SourceMap};
 use crate::syntax::tree::{Link, Name, Preference};
 use mach_runtime::machine::{Motion, Strictness};
 use nalgebra::Vector3;
@@ -30,6 +30,8 @@ pub(crate) struct Draft<'a> {
 
 /// A declared axis.
 pub(crate) struct AxisDraft {
+    /// The whole statement.
+    pub(crate) at: Location,
     pub(crate) name: Located<String>,
     pub(crate) motion: Motion,
     /// Of any length.
@@ -42,6 +44,8 @@ pub(crate) struct AxisDraft {
 
 /// The tool.
 pub(crate) struct ToolDraft {
+    /// The whole statement.
+    pub(crate) at: Location,
     /// Of any length.
     pub(crate) along: Option<Located<Vector3<f64>>>,
     pub(crate) gauge_mm: Option<Vector3<f64>>,

@@ -1,6 +1,7 @@
 //! A checked machine. Nothing in it can be wrong any more: directions are unit vectors, every axis stands in the chain
 //! once, the linear axes span space, and the dialect prints every axis.
 
+use super::errors::Errors;
 use mach_runtime::machine::{BranchPolicy, Motion, Strictness, Travel, Written};
 use mach_runtime::nc::dialect::Dialect;
 use nalgebra::Vector3;
@@ -22,6 +23,8 @@ pub struct Model {
     pub bed: usize,
     /// The tool.
     pub tool: Tool,
+    /// What was measured of the machine: `axes` are as they should be.
+    pub errors: Errors,
     /// The program zero.
     pub zero_mm: Vector3<f64>,
     /// How far the tool axis may be from the wanted one, in radians.

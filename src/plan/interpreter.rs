@@ -1,6 +1,6 @@
 //! The plan as kinematics: its programs run over blocks of lanes. Joints are in millimetres and degrees outside.
 
-use super::{AXIS_INPUT, JOINT_INPUT, Plan, Program, TIP_INPUT, TOOL_LENGTH_INPUT};
+use super::{AXIS_INPUT, Id, JOINT_INPUT, Plan, Program, TIP_INPUT, TOOL_LENGTH_INPUT};
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, PoseBlock, SolutionBlock};
 use mach_runtime::vector::Vec3;
 
@@ -10,8 +10,11 @@ pub struct Interpreter {
     inverse: Program,
     position: Program,
     forward: Program,
+    /// The forward chain with errors; its inputs go on with these.
+    actual: Program,
     branches: usize,
     free_axis: Option<usize>,
+    surplus: Vec<usize>,
     rotary: Vec<bool>,
 }
 
@@ -20,14 +23,16 @@ impl Interpreter {
     pub fn new(plan: &Plan) -> Self {
         let inputs = JOINT_INPUT + plan.rotary.len();
         let mut outputs: Vec<_> = plan.branches.iter().flat_map(|branch| branch.joints.clone()).collect();
-        outputs.extend([plan.reach, plan.pole_sine]);
-        let pose: Vec<_> = plan.tip.iter().chain(&plan.axis).copied().collect();
+        outputs.extend([plan.reach, plan.pole_sine, plan.gap]);
+        let pose = |(tip, axis): ([Id; 3], [Id; 3])| -> Vec<Id> { tip.into_iter().chain(axis).collect() };
         Self {
             inverse: Program::new(&plan.graph, inputs, &outputs),
             position: Program::new(&plan.graph, inputs, &plan.position),
-            forward: Program::new(&plan.graph, inputs, &pose),
+            forward: Program::new(&plan.graph, inputs, &pose((plan.tip, plan.axis))),
+            actual: Program::new(&plan.graph, inputs + plan.errors, &pose(plan.actual)),
             branches: plan.branches.len(),
             free_axis: plan.free_axis,
+            surplus: plan.surplus.clone(),
             rotary: plan.rotary.clone(),
         }
     }
@@ -46,12 +51,20 @@ impl Kinematics for Interpreter {
         self.free_axis
     }
 
-    fn inverse(&mut self, poses: &PoseBlock, tool_length_mm: f64, out: &mut SolutionBlock) {
+    fn surplus_axes(&self) -> &[usize] {
+        &self.surplus
+    }
+
+    fn inverse(&mut self, poses: &PoseBlock, surplus: &[Lane], tool_length_mm: f64, out: &mut SolutionBlock) {
+        assert_eq!(surplus.len(), self.surplus.len(), "an inverse is given a value for each surplus axis");
         for i in 0..3 {
             *self.inverse.input(TIP_INPUT + i) = poses.tip_mm[i];
             *self.inverse.input(AXIS_INPUT + i) = poses.axis[i];
         }
         *self.inverse.input(TOOL_LENGTH_INPUT) = [tool_length_mm; LANES];
+        for (&axis, lane) in self.surplus.iter().zip(surplus) {
+            *self.inverse.input(JOINT_INPUT + axis) = inside(lane, self.rotary[axis]);
+        }
         self.inverse.run();
         let axes = self.rotary.len();
         for (branch, joints) in out.branches.iter_mut().enumerate() {
@@ -59,8 +72,13 @@ impl Kinematics for Interpreter {
                 *lane = outside(self.inverse.output(branch * axes + axis), self.rotary[axis]);
             }
         }
+        for joints in &mut out.branches {
+            // As they were given: radians and back would round.
+            self.surplus.iter().zip(surplus).for_each(|(&axis, lane)| joints[axis] = *lane);
+        }
         out.reach_rad = *self.inverse.output(self.branches * axes);
         out.pole_sine = *self.inverse.output(self.branches * axes + 1);
+        out.gap_mm = *self.inverse.output(self.branches * axes + 2);
     }
 
     fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) {
@@ -72,22 +90,39 @@ impl Kinematics for Interpreter {
             self.position.input(JOINT_INPUT + axis)[0] = if self.rotary[axis] { value.to_radians() } else { *value };
         }
         self.position.run();
-        for (axis, value) in joints.iter_mut().enumerate().filter(|&(axis, _)| !self.rotary[axis]) {
+        let follows = |axis: usize| !self.rotary[axis] && !self.surplus.contains(&axis);
+        for (axis, value) in joints.iter_mut().enumerate().filter(|&(axis, _)| follows(axis)) {
             *value = self.position.output(axis)[0];
         }
     }
 
     fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {
-        for (axis, lane) in joints.iter().enumerate() {
-            *self.forward.input(JOINT_INPUT + axis) = if self.rotary[axis] { lane.map(f64::to_radians) } else { *lane };
-        }
-        *self.forward.input(TOOL_LENGTH_INPUT) = [tool_length_mm; LANES];
-        self.forward.run();
-        for i in 0..3 {
-            out.tip_mm[i] = *self.forward.output(i);
-            out.axis[i] = *self.forward.output(3 + i);
-        }
+        pose(&mut self.forward, &self.rotary, joints, tool_length_mm, out);
     }
+
+    fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool_length_mm: f64, out: &mut PoseBlock) {
+        for (error, lane) in deviations.iter().enumerate() {
+            *self.actual.input(JOINT_INPUT + self.rotary.len() + error) = *lane;
+        }
+        pose(&mut self.actual, &self.rotary, joints, tool_length_mm, out);
+    }
+}
+
+/// Runs a forward program.
+fn pose(program: &mut Program, rotary: &[bool], joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {
+    for (axis, lane) in joints.iter().enumerate() {
+        *program.input(JOINT_INPUT + axis) = inside(lane, rotary[axis]);
+    }
+    *program.input(TOOL_LENGTH_INPUT) = [tool_length_mm; LANES];
+    program.run();
+    for i in 0..3 {
+        out.tip_mm[i] = *program.output(i);
+        out.axis[i] = *program.output(3 + i);
+    }
+}
+
+fn inside(lane: &Lane, rotary: bool) -> Lane {
+    if rotary { lane.map(f64::to_radians) } else { *lane }
 }
 
 fn outside(lane: &Lane, rotary: bool) -> Lane {

@@ -19,20 +19,29 @@ pub use trigonometry::{cos_constant, sin_constant, snap};
 pub struct Plan {
     /// The expressions.
     pub graph: Graph,
-    /// The candidates of the inverse; inputs are tip, axis and tool length.
+    /// The candidates of the inverse; inputs are tip, axis, tool length and the surplus joints.
     pub branches: Vec<Branch>,
     /// Zero inside the reach, else minus the angle to it.
     pub reach: Id,
-    /// The sine of the angle between the wanted axis and the first rotary.
+    /// The sine of the angle between the wanted axis and the first rotary; the tip's distance from the rotary axis in
+    /// metres where the position decides it.
     pub pole_sine: Id,
     /// The axis that is free where `pole_sine` is zero.
     pub free_axis: Option<usize>,
-    /// The joints for given rotary joints; inputs are tip, tool length and the rotary joints.
+    /// Zero where the linear axes reach the tip, else how far it is from there, in millimetres.
+    pub gap: Id,
+    /// The axes whose values the inverse takes instead of giving.
+    pub surplus: Vec<usize>,
+    /// The joints for given rotary joints; inputs are tip, tool length, the rotary joints and the surplus ones.
     pub position: Vec<Id>,
     /// The tip, from tool length and joints.
     pub tip: [Id; 3],
     /// The tool axis, from the joints.
     pub axis: [Id; 3],
+    /// Tip and tool axis with the machine's errors, from tool length, joints and errors.
+    pub actual: ([Id; 3], [Id; 3]),
+    /// How many errors there are.
+    pub errors: usize,
     /// Which axes are rotary.
     pub rotary: Vec<bool>,
 }
@@ -55,9 +64,11 @@ pub struct Inputs {
     pub tool_length: Id,
     /// The joints, in the order of the model.
     pub joints: Vec<Id>,
+    /// The errors, one for each of the model's tables: millimetres or radians.
+    pub errors: Vec<Id>,
 }
 
-/// Where the inputs stand: tip, axis, tool length, joints.
+/// Where the inputs stand: tip, axis, tool length, joints; the errors follow the joints.
 pub const TIP_INPUT: usize = 0;
 /// See [`TIP_INPUT`].
 pub const AXIS_INPUT: usize = 3;
@@ -67,13 +78,14 @@ pub const TOOL_LENGTH_INPUT: usize = 6;
 pub const JOINT_INPUT: usize = 7;
 
 impl Plan {
-    /// The inputs of a plan for so many axes.
-    pub fn inputs(graph: &mut Graph, axes: usize) -> Inputs {
+    /// The inputs of a plan for so many axes and errors.
+    pub fn inputs(graph: &mut Graph, axes: usize, errors: usize) -> Inputs {
         Inputs {
             tip: std::array::from_fn(|i| graph.input(TIP_INPUT + i)),
             axis: std::array::from_fn(|i| graph.input(AXIS_INPUT + i)),
             tool_length: graph.input(TOOL_LENGTH_INPUT),
             joints: (0..axes).map(|axis| graph.input(JOINT_INPUT + axis)).collect(),
+            errors: (0..errors).map(|error| graph.input(JOINT_INPUT + axes + error)).collect(),
         }
     }
 }

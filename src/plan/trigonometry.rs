@@ -149,6 +149,11 @@ impl Graph {
         }
     }
 
+    /// The angles whose sine and cosine are at hand, each with both.
+    pub fn known_angles(&self) -> impl Iterator<Item = (Id, Id, Id)> + '_ {
+        self.angles.iter().map(|(&angle, &(sine, cosine))| (angle, sine, cosine))
+    }
+
     /// Whether a node is the sine (`true`) or the cosine of half a known angle, and that whole angle.
     pub fn half_angle_of(&self, id: Id) -> Option<(bool, Id)> {
         let halves = self.angles.iter().filter_map(|(&half, &pair)| Some((self.double_of(half)?, pair)));

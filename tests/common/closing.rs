@@ -36,7 +36,9 @@ pub(crate) fn close_the_loop(
     let mut machine = Interpreter::new(plan);
     let mut solutions = SolutionBlock::new(machine.branch_count(), machine.axis_count());
     let mut reached = PoseBlock::ZERO;
-    machine.inverse(wanted, model.tool.length_mm, &mut solutions);
+    let given = |axis: &usize| asked.map_or([0.0; LANES], |asked| asked[*axis]);
+    let surplus: Vec<_> = machine.surplus_axes().iter().map(given).collect();
+    machine.inverse(wanted, &surplus, model.tool.length_mm, &mut solutions);
     let mut found = [asked.is_none(); LANES];
     for candidate in &solutions.branches {
         machine.forward(candidate, model.tool.length_mm, &mut reached);

@@ -4,6 +4,7 @@ use super::Job;
 use super::stretch::{PrintedPoint, Stretch};
 use crate::certificate::Certificate;
 use crate::cl::event::Point;
+use crate::compensation::Compensated;
 use crate::kinematics::{JointBlock, Kinematics, LANES, PoseBlock};
 use crate::readback::ReadBack;
 use crate::vector::{add, norm, sub};
@@ -12,7 +13,7 @@ use std::io::{self, Write};
 /// Checks a program as it comes.
 pub(super) struct Checker<'a, K> {
     job: Job<'a>,
-    kinematics: K,
+    kinematics: Compensated<'a, K>,
     nc: &'a mut dyn Write,
     readback: ReadBack,
     certificate: Certificate,
@@ -28,7 +29,7 @@ impl<'a, K: Kinematics> Checker<'a, K> {
         let axes = &job.machine.axes;
         Self {
             job,
-            kinematics,
+            kinematics: Compensated::new(kinematics, job.machine),
             nc,
             readback: ReadBack::new(job.dialect, axes),
             certificate: Certificate::new(axes),

@@ -3,15 +3,16 @@
 mod json;
 mod table;
 
+use mach_command::files::cannot_read;
+use mach_command::outcome::{Failure, Status};
+use mach_command::output::{Lines, print};
+use mach_command::report::{Collected, Report};
+use mach_command::toolpath::{Options, quoted};
 use machc::compare::{Side, compare};
 use machc::diagnostic::Severity;
 
-use super::files::cannot_read;
 use super::machine::{Prepared, prepare};
-use super::output::{Lines, print};
-use super::report::{Collected, Report};
-use super::toolpath::{Options, quoted};
-use super::{Failure, Status, post};
+use super::post;
 
 /// Show what a change in a machine file does to the motion
 ///

@@ -4,18 +4,19 @@ use std::io::{IsTerminal, Write, stderr, stdout};
 
 use clap::ValueEnum;
 use mach_runtime::certificate::Certificate;
+use mach_runtime::diagnostic::{Diagnostic, Severity};
 use mach_runtime::render::{Style, render};
-use machc::diagnostic::{Diagnostic, Severity};
 use serde::Serialize;
 use terminal_size::{Width, terminal_size_of};
 
-use super::{Failure, Status, json};
+use crate::json;
+use crate::outcome::{Failure, Status};
 
 /// How many warnings of one code are told.
 const MOST_WARNINGS: u64 = 20;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(super) enum ColorChoice {
+enum ColorChoice {
     Auto,
     Always,
     Never,
@@ -35,9 +36,23 @@ impl ColorChoice {
     }
 }
 
+/// What every command can be told.
+#[derive(Debug, Clone, Copy, clap::Args)]
+pub struct ReportOptions {
+    /// Write diagnostics, certificates and results as JSON lines, for tools
+    #[arg(long, global = true)]
+    json: bool,
+    /// When to use colours; auto: on a terminal, unless NO_COLOR is set
+    #[arg(long, global = true, value_name = "WHEN", value_enum, default_value_t = ColorChoice::Auto)]
+    color: ColorChoice,
+    /// Say nothing but errors
+    #[arg(short, long, global = true)]
+    quiet: bool,
+}
+
 /// Where diagnostics go.
 #[derive(Debug)]
-pub(super) struct Report {
+pub struct Report {
     json: bool,
     quiet: bool,
     style: Style,
@@ -45,28 +60,35 @@ pub(super) struct Report {
 }
 
 impl Report {
-    pub(super) fn new(json: bool, color: ColorChoice, quiet: bool) -> Self {
+    /// As the options ask for it.
+    pub fn new(options: ReportOptions) -> Self {
+        let ReportOptions { json, color, quiet } = options;
         let style = Style { color: color.is_for(&stderr()), width: terminal_width() };
         Self { json, quiet, style, colors_stdout: color.is_for(&stdout()) }
     }
 
     /// Whether what goes to standard output is for tools.
-    pub(super) fn is_json(&self) -> bool {
+    pub fn is_json(&self) -> bool {
         self.json
     }
 
     /// Whether colours are wanted on standard output.
-    pub(super) fn colors_stdout(&self) -> bool {
+    pub fn colors_stdout(&self) -> bool {
         self.colors_stdout
     }
 
+    /// Whether there is anyone for whom notes are meant.
+    pub fn shows_notes(&self) -> bool {
+        !self.json && !self.quiet
+    }
+
     /// Whether a person is watching who wants to know how far the work is.
-    pub(super) fn shows_progress(&self) -> bool {
-        !self.json && !self.quiet && stderr().is_terminal()
+    pub fn shows_progress(&self) -> bool {
+        self.shows_notes() && stderr().is_terminal()
     }
 
     /// Tells diagnostics; the status is `Refused` when an error is among them.
-    pub(super) fn tell(&self, diagnostics: &[Diagnostic]) -> Status {
+    pub fn tell(&self, diagnostics: &[Diagnostic]) -> Status {
         let is_error = |diagnostic: &Diagnostic| diagnostic.severity == Severity::Error;
         let told = diagnostics.iter().filter(|diagnostic| is_error(diagnostic) || !self.quiet);
         for diagnostic in told {
@@ -80,7 +102,8 @@ impl Report {
         if diagnostics.iter().any(is_error) { Status::Refused } else { Status::Done }
     }
 
-    pub(super) fn certificate(&self, machine: &str, certificate: &Certificate) {
+    /// Tells how close the program is to the CL.
+    pub fn certificate(&self, machine: &str, certificate: &Certificate) {
         if self.json {
             self.line(&json::Certificate::new(machine, certificate));
         } else if !self.quiet {
@@ -89,13 +112,14 @@ impl Report {
     }
 
     /// A line for people that tools have no use for.
-    pub(super) fn note(&self, text: &str) {
-        if !self.json && !self.quiet {
+    pub fn note(&self, text: &str) {
+        if self.shows_notes() {
             say(&format!("{text}\n"));
         }
     }
 
-    pub(super) fn failure(&self, failure: &Failure) {
+    /// Tells what went wrong outside the input.
+    pub fn failure(&self, failure: &Failure) {
         if self.json {
             self.line(&json::Failure::new(&failure.0));
         } else {
@@ -120,13 +144,14 @@ fn say(text: &str) {
 
 /// Diagnostics that come one by one: all errors, and the first warnings of each code.
 #[derive(Debug, Default)]
-pub(super) struct Collected {
+pub struct Collected {
     diagnostics: Vec<Diagnostic>,
     warnings: std::collections::BTreeMap<&'static str, (usize, u64)>,
 }
 
 impl Collected {
-    pub(super) fn add(&mut self, diagnostic: Diagnostic) {
+    /// Takes a diagnostic in.
+    pub fn add(&mut self, diagnostic: Diagnostic) {
         if diagnostic.severity == Severity::Warning {
             let (last, count) = self.warnings.entry(diagnostic.code.id).or_default();
             *count += 1;
@@ -139,7 +164,7 @@ impl Collected {
     }
 
     /// What is to be told.
-    pub(super) fn into_diagnostics(mut self) -> Vec<Diagnostic> {
+    pub fn into_diagnostics(mut self) -> Vec<Diagnostic> {
         for (last, count) in self.warnings.into_values().filter(|(_, count)| *count > MOST_WARNINGS) {
             let more = count - MOST_WARNINGS;
             self.diagnostics[last].notes.push(format!("and {more} more warnings like this one"));

@@ -4,17 +4,18 @@ use std::io::Read;
 
 use clap::ValueEnum;
 use mach_runtime::cl::{Reader, ReaderOptions, quote};
+use mach_runtime::diagnostic::Diagnostic;
 use mach_runtime::machine::Machine;
 use mach_runtime::nc::dialect::LengthUnit;
-use machc::diagnostic::Diagnostic;
 
-use super::Failure;
-use super::files::{open, reopened, shown};
-use super::progress::watched;
-use super::report::Report;
+use crate::files::{open, reopened, shown};
+use crate::outcome::Failure;
+use crate::progress::watched;
+use crate::report::Report;
 
+/// What neither the machine nor the CL file says.
 #[derive(Debug, clap::Args)]
-pub(super) struct Options {
+pub struct Options {
     /// Unit of the CL's lengths where the file has no UNITS record
     #[arg(long, value_name = "UNIT", value_enum, default_value_t = Unit::Mm)]
     cl_units: Unit,
@@ -31,18 +32,13 @@ enum Unit {
 
 impl Options {
     /// The machine with the tool that the options give.
-    pub(super) fn equipped(&self, machine: Machine) -> Machine {
+    pub fn equipped(&self, machine: Machine) -> Machine {
         let tool_length_mm = self.tool_length.unwrap_or(machine.tool_length_mm);
         Machine { tool_length_mm, ..machine }
     }
 
     /// A reader of the CL file.
-    pub(super) fn reader(
-        &self,
-        cl: &str,
-        machine: &Machine,
-        report: &Report,
-    ) -> Result<Reader<Box<dyn Read>>, Failure> {
+    pub fn reader(&self, cl: &str, machine: &Machine, report: &Report) -> Result<Reader<Box<dyn Read>>, Failure> {
         let (input, bytes) = open(cl)?;
         let options = ReaderOptions {
             length_unit: match self.cl_units {
@@ -56,7 +52,7 @@ impl Options {
 }
 
 /// Puts the lines into the diagnostics that lack them. What cannot be read a second time stays as it is.
-pub(super) fn quoted(mut diagnostics: Vec<Diagnostic>, cl: &str) -> Vec<Diagnostic> {
+pub fn quoted(mut diagnostics: Vec<Diagnostic>, cl: &str) -> Vec<Diagnostic> {
     if !diagnostics.is_empty()
         && let Some(input) = reopened(cl)
     {

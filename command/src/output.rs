@@ -10,12 +10,12 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 use tempfile::{Builder, NamedTempFile, tempfile};
 
-use super::Failure;
-use super::files::cannot_write;
+use crate::files::cannot_write;
+use crate::outcome::Failure;
 
 /// Output under way; dropped without [`Output::commit`], it leaves nothing behind.
 #[derive(Debug)]
-pub(super) struct Output {
+pub struct Output {
     spool: BufWriter<Spool>,
     name: String,
     error: Option<Failure>,
@@ -31,7 +31,7 @@ enum Spool {
 
 impl Output {
     /// Begins output to a file; to standard output without a path, or with the path `-`.
-    pub(super) fn begin(path: Option<&str>) -> Result<Self, Failure> {
+    pub fn begin(path: Option<&str>) -> Result<Self, Failure> {
         let path = path.filter(|path| *path != "-");
         let name = path.unwrap_or("<stdout>").to_owned();
         let spool = Spool::begin(path).map_err(|error| cannot_write(&name, &error))?;
@@ -39,14 +39,14 @@ impl Output {
     }
 
     /// Lets the output appear.
-    pub(super) fn commit(self) -> Result<(), Failure> {
+    pub fn commit(self) -> Result<(), Failure> {
         let Self { spool, name, .. } = self;
         let spool = spool.into_inner().map_err(io::IntoInnerError::into_error);
         spool.and_then(Spool::commit).map_err(|error| cannot_write(&name, &error))
     }
 
     /// Why writing did not succeed, if it did not.
-    pub(super) fn into_failure(self) -> Option<Failure> {
+    pub fn into_failure(self) -> Option<Failure> {
         self.error
     }
 }
@@ -112,7 +112,7 @@ impl Write for Spool {
 }
 
 /// Writes a whole file, and the folder it is in where that is missing.
-pub(super) fn write_file(path: &Path, text: &str) -> Result<(), Failure> {
+pub fn write_file(path: &Path, text: &str) -> Result<(), Failure> {
     let name = path.to_string_lossy();
     let folder = path.parent().unwrap_or(Path::new(""));
     fs::create_dir_all(folder).map_err(|error| cannot_write(&folder.to_string_lossy(), &error))?;
@@ -122,7 +122,7 @@ pub(super) fn write_file(path: &Path, text: &str) -> Result<(), Failure> {
 }
 
 /// Writes to standard output.
-pub(super) fn print(text: &str) -> Result<(), Failure> {
+pub fn print(text: &str) -> Result<(), Failure> {
     let mut stdout = stdout().lock();
     let written = stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush());
     quiet_when_nobody_listens(written).map_err(|error| cannot_write("<stdout>", &error))
@@ -130,24 +130,24 @@ pub(super) fn print(text: &str) -> Result<(), Failure> {
 
 /// JSON lines for standard output, as they come.
 #[derive(Debug)]
-pub(super) struct Lines {
+pub struct Lines {
     text: Vec<u8>,
 }
 
 impl Lines {
     /// Nothing written yet.
-    pub(super) fn stdout() -> Self {
+    pub fn stdout() -> Self {
         Self { text: Vec::new() }
     }
 
     /// Adds a line; it appears with the next [`Lines::flush`].
-    pub(super) fn add(&mut self, line: &impl Serialize) {
+    pub fn add(&mut self, line: &impl Serialize) {
         serde_json::to_writer(&mut self.text, line).expect("lines are plain data");
         self.text.push(b'\n');
     }
 
     /// Writes the lines, and says whether anybody reads them.
-    pub(super) fn flush(&mut self) -> Result<bool, Failure> {
+    pub fn flush(&mut self) -> Result<bool, Failure> {
         let mut stdout = stdout().lock();
         let written = stdout.write_all(&self.text).and_then(|()| stdout.flush());
         self.text.clear();
@@ -159,7 +159,7 @@ impl Lines {
     }
 }
 
-/// A reader that has seen enough (`machc show … | head`) is no failure.
+/// A reader that has seen enough (`… | head`) is no failure.
 fn quiet_when_nobody_listens(written: io::Result<()>) -> io::Result<()> {
     match written {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),

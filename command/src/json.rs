@@ -1,12 +1,12 @@
 //! What `--json` writes: one object a line, each with a `type`.
 
 use mach_runtime::certificate::{self, Extreme, Range};
-use machc::diagnostic::{self, Place, Severity};
+use mach_runtime::diagnostic::{self, Place, Severity};
 use serde::Serialize;
 
 #[derive(Serialize)]
 #[serde(tag = "type", rename = "diagnostic")]
-pub(super) struct Diagnostic<'a> {
+pub(crate) struct Diagnostic<'a> {
     code: &'static str,
     severity: &'static str,
     message: &'a str,
@@ -45,7 +45,7 @@ struct Span<'a> {
 
 #[derive(Serialize)]
 #[serde(tag = "type", rename = "certificate")]
-pub(super) struct Certificate<'a> {
+pub(crate) struct Certificate<'a> {
     machine: &'a str,
     points: u64,
     blocks: u64,
@@ -75,12 +75,12 @@ struct Axis<'a> {
 
 #[derive(Serialize)]
 #[serde(tag = "type", rename = "failure")]
-pub(super) struct Failure<'a> {
+pub(crate) struct Failure<'a> {
     message: &'a str,
 }
 
 impl<'a> Diagnostic<'a> {
-    pub(super) fn new(diagnostic: &'a diagnostic::Diagnostic, rendered: &'a str) -> Self {
+    pub(crate) fn new(diagnostic: &'a diagnostic::Diagnostic, rendered: &'a str) -> Self {
         let label = |label: &'a diagnostic::Label| Label { span: Span::new(&label.place), text: &label.text };
         let suggestion = diagnostic.suggestion.as_deref().map(|suggestion| Suggestion {
             span: Span::new(&suggestion.place),
@@ -114,7 +114,7 @@ impl<'a> Span<'a> {
 }
 
 impl<'a> Certificate<'a> {
-    pub(super) fn new(machine: &'a str, certificate: &'a certificate::Certificate) -> Self {
+    pub(crate) fn new(machine: &'a str, certificate: &'a certificate::Certificate) -> Self {
         Self {
             machine,
             points: certificate.points,
@@ -148,7 +148,7 @@ impl<'a> Axis<'a> {
 }
 
 impl<'a> Failure<'a> {
-    pub(super) fn new(message: &'a str) -> Self {
+    pub(crate) fn new(message: &'a str) -> Self {
         Self { message }
     }
 }

@@ -1,0 +1,169 @@
+//! The runtime's tables as Rust expressions.
+
+use mach_runtime::error_table::{Component, ErrorTable};
+use mach_runtime::machine::{Axis, BranchPolicy, Machine, Motion, Preference, Strictness, Travel, Written};
+use mach_runtime::nc::dialect::{
+    Block, Codes, Dialect, LengthUnit, Line, Picture, Piece, Point, Sequence, Trigger, Value, Word,
+};
+
+/// A value that can be written down as a Rust expression.
+pub(super) trait Literal {
+    /// The expression, with the types' names as they are in their modules.
+    fn literal(&self) -> String;
+}
+
+/// The functions that the literals call, by their names.
+pub(super) const HELPERS: [(&str, &str); 3] = [
+    (
+        "numbered",
+        "/// A line with a sequence number.
+fn numbered<const N: usize>(pieces: [Piece; N]) -> Line { Line { numbered: true, pieces: pieces.into() } }",
+    ),
+    (
+        "bare",
+        "/// A line without a sequence number.
+fn bare<const N: usize>(pieces: [Piece; N]) -> Line { Line { numbered: false, pieces: pieces.into() } }",
+    ),
+    ("text", "/// Printed as it is.\nfn text(text: &str) -> Piece { Piece::Text(text.to_owned()) }"),
+];
+
+/// Structs field by field; a field that is missing here is an error.
+macro_rules! structs {
+    ($($name:ident { $($field:ident),* $(,)? })*) => {$(
+        impl Literal for $name {
+            fn literal(&self) -> String {
+                let Self { $($field),* } = self;
+                let fields = [$(format!("{}: {}", stringify!($field), $field.literal())),*];
+                format!("{} {{ {} }}", stringify!($name), fields.join(", "))
+            }
+        }
+    )*};
+}
+
+/// Enums without values, whose `Debug` is their name.
+macro_rules! names {
+    ($($name:ident)*) => {$(
+        impl Literal for $name {
+            fn literal(&self) -> String {
+                format!("{}::{self:?}", stringify!($name))
+            }
+        }
+    )*};
+}
+
+/// Types whose `Debug` is the expression.
+macro_rules! plain {
+    ($($name:ident)*) => {$(
+        impl Literal for $name {
+            fn literal(&self) -> String {
+                format!("{self:?}")
+            }
+        }
+    )*};
+}
+
+structs! {
+    Machine {
+        name, axes, branch, axis_tolerance_rad, chord_tolerance_mm, unknown_records, zero_mm, tool_length_mm, errors,
+    }
+    Axis { name, motion, travel, written, zero, length_share, rapid_per_min }
+    Travel { lower, upper }
+    ErrorTable { axis, component, rows }
+    BranchPolicy { start, then, reposition }
+    Dialect {
+        name, units, extension, comment, sequence, offset, retract, codes, axes, feed, feed_per_revolution,
+        modal_groups, blocks,
+    }
+    Picture { plus, integer_digits, integer_least, decimals, decimals_least, point, zero }
+    Word { name, address, picture }
+    Sequence { address, start, step, greatest }
+    Codes { units, per_minute, per_revolution }
+    Block { trigger, lines }
+}
+
+names! { Component Motion Strictness LengthUnit Point Trigger Value }
+plain! { bool u8 u64 usize }
+
+impl Literal for f64 {
+    fn literal(&self) -> String {
+        match *self {
+            Self::INFINITY => "f64::INFINITY".to_owned(),
+            Self::NEG_INFINITY => "f64::NEG_INFINITY".to_owned(),
+            value => format!("{value:?}"),
+        }
+    }
+}
+
+impl Literal for String {
+    fn literal(&self) -> String {
+        format!("{self:?}.to_owned()")
+    }
+}
+
+impl<T: Literal> Literal for Vec<T> {
+    fn literal(&self) -> String {
+        if self.is_empty() { "Vec::new()".to_owned() } else { format!("Vec::from([{}])", list(self)) }
+    }
+}
+
+impl<T: Literal, const N: usize> Literal for [T; N] {
+    fn literal(&self) -> String {
+        format!("[{}]", list(self))
+    }
+}
+
+impl<T: Literal> Literal for Option<T> {
+    fn literal(&self) -> String {
+        self.as_ref().map_or("None".to_owned(), |value| format!("Some({})", value.literal()))
+    }
+}
+
+impl<A: Literal, B: Literal> Literal for (A, B) {
+    fn literal(&self) -> String {
+        format!("({}, {})", self.0.literal(), self.1.literal())
+    }
+}
+
+impl Literal for Written {
+    fn literal(&self) -> String {
+        match self {
+            Self::Unwound => "Written::Unwound".to_owned(),
+            Self::Wrapped { from_deg } => format!("Written::Wrapped {{ from_deg: {} }}", from_deg.literal()),
+        }
+    }
+}
+
+impl Literal for Preference {
+    fn literal(&self) -> String {
+        match self {
+            Self::Least(axis) => format!("Preference::Least({axis})"),
+            Self::Positive(axis) => format!("Preference::Positive({axis})"),
+            Self::Negative(axis) => format!("Preference::Negative({axis})"),
+            Self::Nearest => "Preference::Nearest".to_owned(),
+        }
+    }
+}
+
+/// By a function of [`HELPERS`], as the next one: there are many.
+impl Literal for Line {
+    fn literal(&self) -> String {
+        let Self { numbered, pieces } = self;
+        format!("{}([{}])", if *numbered { "numbered" } else { "bare" }, list(pieces))
+    }
+}
+
+impl Literal for Piece {
+    fn literal(&self) -> String {
+        match self {
+            Self::Text(text) => format!("text({text:?})"),
+            Self::Modal { group, code } => format!("Piece::Modal {{ group: {group}, code: {code} }}"),
+            Self::Axes(axes) => format!("Piece::Axes({})", axes.literal()),
+            Self::Feed => "Piece::Feed".to_owned(),
+            Self::Value(value, picture) => format!("Piece::Value({}, {})", value.literal(), picture.literal()),
+        }
+    }
+}
+
+fn list<T: Literal>(items: &[T]) -> String {
+    items.iter().map(T::literal).collect::<Vec<_>>().join(", ")
+}

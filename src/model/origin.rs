@@ -1,0 +1,32 @@
+//! Where a machine's statements stand, for what is printed beside them.
+
+use super::draft::Draft;
+use mach_runtime::diagnostic::Place;
+
+/// The files of a machine and its statements in them.
+#[derive(Debug, Clone)]
+pub struct Origins {
+    /// Every file that was read, as the user or the using file names it; the entry first.
+    pub files: Vec<String>,
+    /// The statement that declares each axis, in the order of the model.
+    pub axes: Vec<Place>,
+    /// The tool's statement.
+    pub tool: Place,
+}
+
+/// The origins of a checked draft.
+pub(crate) fn origins(draft: &Draft<'_>) -> Origins {
+    let sources = draft.sources;
+    Origins {
+        files: sources.ids().map(|id| sources.name(id).to_owned()).collect(),
+        axes: draft.axes.iter().map(|axis| sources.place(&axis.at)).collect(),
+        tool: sources.place(&draft.tool.as_ref().expect("a draft without findings is complete").at),
+    }
+}
+
+/// The marked text on one line, without comments.
+pub fn on_one_line(place: &Place) -> String {
+    let lines = place.excerpt[place.start..place.end].lines();
+    let code = lines.map(|line| line.split("//").next().unwrap_or_default());
+    code.flat_map(str::split_whitespace).collect::<Vec<_>>().join(" ")
+}

@@ -1,0 +1,3 @@
+// A stand-in for LinuxCNC's header.
+#pragma once
+#include <math.h>
