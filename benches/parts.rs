@@ -22,6 +22,7 @@ use mach_runtime::post::{Job, post};
 use machc::compile::{Compiled, Sources, compile};
 use machc::emit::tables;
 use machc::plan::Interpreter;
+use std::num::NonZeroUsize;
 
 const MACHINES: [&str; 4] = ["tmv710a", "dmu50ev", "dmu80_monoblock", "endura900"];
 const RECORDS: usize = 10_000;
@@ -133,9 +134,9 @@ fn post_with_certificate(bencher: Bencher<'_, '_>) {
     bencher.counter(ItemsCount::new(RECORDS)).bench_local(|| {
         let reader = Reader::new("sine.cls", text.as_bytes(), ReaderOptions::of(&tables));
         let job = Job { file: "sine.cls", program: "SINE", machine: &tables, dialect };
-        let mut interpreter = Interpreter::new(&compiled.plan);
+        let interpreter = Interpreter::new(&compiled.plan);
         let mut nc = Vec::new();
-        post(job, &mut interpreter, reader, &mut nc, &mut |_| {}).expect("memory can be written")
+        post(job, &interpreter, reader, &mut nc, NonZeroUsize::MIN, &mut |_| {}).expect("memory can be written")
     });
 }
 

@@ -1,7 +1,8 @@
 //! Whole processes: one million GOTO records through `machc post` with the certificate on, against the floor: a post
 //! for the one machine written by hand, without checks, limits, whole turns or read-back.
 //!
-//! `cargo bench --bench throughput [-- RECORDS]` times both in turn and prints the medians and the ratio of each pair.
+//! `cargo bench --bench throughput [-- RECORDS]` times the floor, one thread and two in turn, and prints the ratios round by
+//! round.
 
 #[path = "throughput/floor.rs"]
 mod floor;
@@ -12,7 +13,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
-const PAIRS: usize = 7;
+const ROUNDS: usize = 7;
 
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
@@ -30,23 +31,29 @@ fn main() {
 
 fn compare(cl: &Path, nc: &Path) {
     let machine = Path::new(env!("CARGO_MANIFEST_DIR")).join("machines/tmv710a.mach");
-    let mut machc = Command::new(env!("CARGO_BIN_EXE_machc"));
-    machc.arg("post").arg(machine).arg(cl).arg("-o").arg(nc);
+    let machc = |threads| {
+        let mut machc = Command::new(env!("CARGO_BIN_EXE_machc"));
+        machc.args(["post", "--threads", threads]).arg(&machine).arg(cl).arg("-o").arg(nc);
+        machc
+    };
+    let (mut one, mut two) = (machc("1"), machc("2"));
     let mut floor = Command::new(std::env::current_exe().expect("this program has a path"));
     floor.arg("--floor").arg(cl).arg(nc);
-    let mut pairs: Vec<[f64; 2]> = (0..=PAIRS).map(|_| [time(&mut floor), time(&mut machc)]).collect();
-    pairs.remove(0); // the files are not in the cache yet
-    println!("{:<16}{:>8}{:>8}{:>8}   ({PAIRS} pairs)", "", "least", "median", "most");
-    row("floor, s", pairs.iter().map(|pair| pair[0]));
-    row("machc post, s", pairs.iter().map(|pair| pair[1]));
-    row("machc / floor", pairs.iter().map(|pair| pair[1] / pair[0]));
+    let mut rounds: Vec<[f64; 3]> = (0..=ROUNDS).map(|_| [time(&mut floor), time(&mut one), time(&mut two)]).collect();
+    rounds.remove(0); // the files are not in the cache yet
+    println!("{:<24}{:>8}{:>8}{:>8}   ({ROUNDS} rounds)", "", "least", "median", "most");
+    row("floor, s", rounds.iter().map(|round| round[0]));
+    for (threads, index) in [("one thread", 1), ("two threads", 2)] {
+        row(&format!("{threads}, s"), rounds.iter().map(|round| round[index]));
+        row(&format!("{threads} / floor"), rounds.iter().map(|round| round[index] / round[0]));
+    }
 }
 
 fn row(title: &str, values: impl Iterator<Item = f64>) {
     let mut values: Vec<f64> = values.collect();
     values.sort_by(f64::total_cmp);
     let (least, median, most) = (values[0], values[values.len() / 2], values[values.len() - 1]);
-    println!("{title:<16}{least:>8.3}{median:>8.3}{most:>8.3}");
+    println!("{title:<24}{least:>8.3}{median:>8.3}{most:>8.3}");
 }
 
 /// Seconds from start to end of the process.

@@ -13,7 +13,7 @@ use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, PoseBlock, Solutio
 use mach_runtime::vector::{Vec3, angle_rad, norm, sub};
 use machc::compile::Compiled;
 use machc::derive::derive;
-use machc::numeric::{Method, Numeric, Solver};
+use machc::numeric::{Inverse, Method, Numeric, Solver};
 use machc::plan::Interpreter;
 use program::{posted, posted_by};
 use std::f64::consts::FRAC_PI_2;
@@ -208,7 +208,7 @@ fn programs_are_the_same_byte_for_byte() {
         for cl in &programs {
             let expected = posted(&compiled, cl);
             for method in METHODS {
-                let found = posted_by(&mut Numeric::new(&compiled.plan, method), &compiled, cl);
+                let found = posted_by(&Numeric::new(&compiled.plan, method), &compiled, cl);
                 let codes = |posted: &program::Posted| -> Vec<&str> {
                     posted.diagnostics.iter().map(|diagnostic| diagnostic.code.id).collect()
                 };
@@ -233,7 +233,7 @@ fn errors_of_the_axes_are_compensated_around_either_inverse() {
     let expected = posted(&compiled, "examples/sine_surface.cls");
     assert!(expected.certificate.is_some());
     for method in METHODS {
-        let found = posted_by(&mut Numeric::new(&compiled.plan, method), &compiled, "examples/sine_surface.cls");
+        let found = posted_by(&Numeric::new(&compiled.plan, method), &compiled, "examples/sine_surface.cls");
         assert!(found.certificate.is_some() && found.nc == expected.nc, "{method:?}");
     }
 }
@@ -246,9 +246,7 @@ fn a_machine_without_a_closed_form_is_iterated_for() {
     assert!(Solver::ClosedForm.inverse(&compiled.plan).is_none());
     let solver = Solver::of_plan(&compiled.plan).next().expect("a plan can be iterated on");
     assert_eq!(solver, Solver::Numeric(Method::Newton));
-    let mut inverse = solver.inverse(&compiled.plan).expect("it has this one");
-    let found = posted_by(inverse.kinematics_mut(), &compiled, "examples/hemisphere.cls");
+    let Some(Inverse::Numeric(inverse)) = solver.inverse(&compiled.plan) else { panic!("it iterates") };
+    let found = posted_by(&*inverse, &compiled, "examples/hemisphere.cls");
     assert!(found.certificate.is_some() && found.nc == expected.nc);
-    let effort = inverse.effort().expect("it has iterated");
-    assert!(effort.poses > 200 && effort.mean_iterations() < 20.0, "{effort:?}");
 }

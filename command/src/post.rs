@@ -1,5 +1,8 @@
 //! Posting a CL file from the command line.
 
+use std::num::NonZeroUsize;
+use std::thread::available_parallelism;
+
 use mach_runtime::kinematics::Kinematics;
 use mach_runtime::machine::Machine;
 use mach_runtime::nc::dialect::Dialect;
@@ -19,6 +22,9 @@ pub struct PostOptions {
     /// The NC file; without it, or with -, standard output
     #[arg(short, long, value_name = "NC")]
     output: Option<String>,
+    /// Threads to work with; as many as the machine has, where it is not given
+    #[arg(long, value_name = "COUNT")]
+    threads: Option<NonZeroUsize>,
     /// The program's name; the CL file's name where it is not given
     #[arg(long, value_name = "NAME")]
     program: Option<String>,
@@ -31,22 +37,23 @@ pub struct PostOptions {
 /// # Errors
 ///
 /// A file that cannot be read or written.
-pub fn post(
+pub fn post<K: Kinematics + Clone + Send>(
     machine: Machine,
     dialect: &Dialect,
-    kinematics: &mut dyn Kinematics,
+    kinematics: &K,
     options: &PostOptions,
     report: &Report,
 ) -> Result<Status, Failure> {
-    let PostOptions { cl, output, program, toolpath } = options;
+    let PostOptions { cl, output, threads, program, toolpath } = options;
     let machine = toolpath.equipped(machine);
     let reader = toolpath.reader(cl, &machine, report)?;
     let program = program.as_deref().or(stem(cl)).unwrap_or(&machine.name);
     let job = Job { file: shown(cl), program, machine: &machine, dialect };
     let mut nc = Output::begin(output.as_deref())?;
     let mut told = Collected::default();
-    let posted = mach_runtime::post::post(job, kinematics, reader, &mut nc, &mut |diagnostic| told.add(diagnostic));
-    let certificate = match posted {
+    let mut tell = |diagnostic| told.add(diagnostic);
+    let threads = threads.or_else(|| available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN);
+    let certificate = match mach_runtime::post::post(job, kinematics, reader, &mut nc, threads, &mut tell) {
         Ok(certificate) => certificate,
         Err(error) => return Err(nc.into_failure().unwrap_or_else(|| cannot_read(cl, &error))),
     };

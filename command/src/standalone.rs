@@ -28,7 +28,12 @@ certificate (on standard error) says how close it is. When there is any error, n
 Exit status: 0 done, 1 the input has errors, 2 wrong usage or a file that cannot be read or written.";
 
 /// Runs the post of one machine with the arguments of this process. The command calls itself `name`.
-pub fn run(name: &'static str, machine: Machine, dialect: &Dialect, kinematics: &mut dyn Kinematics) -> ExitCode {
+pub fn run<K: Kinematics + Clone + Send>(
+    name: &'static str,
+    machine: Machine,
+    dialect: &Dialect,
+    kinematics: &K,
+) -> ExitCode {
     let about = format!("Post a CL file for the machine {}: an NC program and its certificate", machine.name);
     let command = Arguments::command().name(name).long_about(format!("{about}\n\n{MORE}")).about(about);
     let matches = command.get_matches();

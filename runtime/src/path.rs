@@ -16,9 +16,9 @@ const AT_REST: f64 = 1e-9;
 /// when the cut begins to tilt.
 pub struct PathSolver<'a> {
     machine: &'a Machine,
-    pub(crate) kinematics: Compensated<'a, &'a mut dyn Kinematics>,
+    kinematics: Compensated<'a, &'a mut (dyn Kinematics + Send)>,
     /// The poses of the last block, in the machine frame; lanes beyond its points repeat its last point.
-    pub(crate) poses: PoseBlock,
+    poses: PoseBlock,
     solutions: SolutionBlock,
     surplus: Surplus,
     chooser: Chooser<'a>,
@@ -75,7 +75,7 @@ impl Solved<'_> {
 
 impl<'a> PathSolver<'a> {
     /// A solver at the start of a program.
-    pub fn new(machine: &'a Machine, kinematics: &'a mut dyn Kinematics) -> Self {
+    pub fn new(machine: &'a Machine, kinematics: &'a mut (dyn Kinematics + Send)) -> Self {
         let (branches, axes) = (kinematics.branch_count(), kinematics.axis_count());
         assert_eq!(axes, machine.axes.len(), "tables and kinematics are of one machine");
         Self {

@@ -4,6 +4,7 @@
 //! its value until it is given again. What is read is the text of motions: blocks that send an axis elsewhere for once
 //! (`G53 Z0.`) are not for this reader, and the writer prints every axis after them.
 
+use crate::decimal::Decimal;
 use crate::machine::{Axis, Motion};
 use crate::nc::dialect::{Dialect, LengthUnit};
 use std::fmt;
@@ -86,17 +87,19 @@ impl ReadBack {
     }
 
     /// Reads the blocks of a motion (none of them, when nothing had to be printed), and gives the joints they leave
-    /// the machine at: machine coordinates in mm and degrees, in the machine's order.
+    /// the machine at: machine coordinates in mm and degrees, in the machine's order. Says how many blocks there were.
     ///
     /// # Errors
     /// When the text is not made of words, or an axis has never been given.
-    pub fn read(&mut self, text: &[u8], tool_length_mm: f64, joints: &mut [f64]) -> Result<(), ReadError> {
+    pub fn read(&mut self, text: &[u8], tool_length_mm: f64, joints: &mut [f64]) -> Result<u64, ReadError> {
+        let mut blocks = 0;
         let mut given = 0_u64;
         let mut at = 0;
         while let Some(byte) = text.get(at) {
             at = match byte {
                 b'\n' => {
                     given = 0;
+                    blocks += 1;
                     at + 1
                 }
                 b' ' | b'\t' | b'\r' => at + 1,
@@ -108,7 +111,7 @@ impl ReadBack {
             let written = axis.written.ok_or(missing)?;
             *joint = written * axis.scale + axis.zero + axis.length_share * tool_length_mm;
         }
-        Ok(())
+        Ok(blocks)
     }
 
     /// Reads one word, and says where it ends.
@@ -128,15 +131,23 @@ impl ReadBack {
     }
 
     /// An axis, its number, and the end of its word.
+    #[inline]
     fn axis_word(&self, text: &[u8], at: usize) -> Option<(usize, f64, usize)> {
-        let by_address = || {
-            let mut long = self.by_address.iter().copied();
-            long.find(|&index| text[at..].starts_with(&self.axes[index].address))
-        };
-        let long = if self.by_address.is_empty() { None } else { by_address() };
-        let axis = long.or(self.by_letter[usize::from(text[at])].map(usize::from))?;
-        let (value, end) = number(text, at + self.axes[axis].address.len())?;
+        let (axis, address_end) = self.address(text, at)?;
+        let (value, end) = number(text, address_end)?;
         Some((axis, value, end))
+    }
+
+    /// The axis whose address stands here, and the end of the address.
+    #[inline]
+    fn address(&self, text: &[u8], at: usize) -> Option<(usize, usize)> {
+        let long = self.by_address.iter().map(|&axis| (axis, &self.axes[axis].address));
+        for (axis, address) in long {
+            if text[at..].starts_with(address) {
+                return Some((axis, at + address.len()));
+            }
+        }
+        self.by_letter[usize::from(text[at])].map(|axis| (usize::from(axis), at + 1))
     }
 
     /// The end of a word that moves nothing: `G1`, `F500.`, `S1=3000`, `SUPA`; none for anything else, and none for a
@@ -192,41 +203,11 @@ fn comment_end(text: &[u8], at: usize, close: &[u8]) -> Option<usize> {
     memchr::memmem::find(&text[at..line], close).map(|found| at + found + close.len())
 }
 
-/// `10^n`, exact.
-const POWERS: [f64; 19] =
-    [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18];
-
-/// The number that begins here (`-12.5`, `25.`, `.5`), and its end. A quotient of two numbers that doubles hold
-/// exactly is the double closest to the decimal.
+/// The number that begins here (`-12.5`, `25.`, `.5`), and its end.
 #[inline]
 fn number(text: &[u8], at: usize) -> Option<(f64, usize)> {
-    let negative = text.get(at) == Some(&b'-');
-    let start = at + usize::from(negative || text.get(at) == Some(&b'+'));
-    let (mut mantissa, mut end) = digits(text, start, 0);
-    let mut count = end - start;
-    let mut decimals = 0;
-    if text.get(end) == Some(&b'.') {
-        let point = end + 1;
-        (mantissa, end) = digits(text, point, mantissa);
-        decimals = end - point;
-        count += decimals;
-    }
-    if count == 0 || count >= POWERS.len() {
-        return None;
-    }
-    let size = mantissa as f64 / POWERS[decimals];
-    Some((if negative && mantissa != 0 { -size } else { size }, end))
-}
-
-/// Appends the digits that stand here to a number, and says where they end. Too many digits wrap around: count them.
-#[inline]
-fn digits(text: &[u8], at: usize, mut number: u64) -> (u64, usize) {
-    let mut end = at;
-    while let Some(digit) = text.get(end).map(|byte| byte.wrapping_sub(b'0'))
-        && digit < 10
-    {
-        number = number.wrapping_mul(10).wrapping_add(u64::from(digit));
-        end += 1;
-    }
-    (number, end)
+    let sign = text.get(at).filter(|byte| matches!(byte, b'-' | b'+'));
+    let start = at + usize::from(sign.is_some());
+    let decimal = Decimal::leading(&text[start..])?;
+    Some((decimal.value(sign == Some(&b'-')), start + decimal.length))
 }

@@ -6,6 +6,7 @@ use mach_command::post::{PostOptions, post};
 use mach_command::report::Report;
 use machc::diagnostic::{Code, Diagnostic, Place};
 use machc::model::machine::Model;
+use machc::numeric::Inverse;
 
 use super::machine::prepare;
 use super::solver::SolverOption;
@@ -46,8 +47,10 @@ pub(super) fn run(arguments: Arguments, report: &mut Report) -> Result<Status, F
     let Some(dialect) = &prepared.model.dialect else {
         return Ok(report.tell(&[no_controller(&prepared.model, &arguments.machine)]));
     };
-    let mut inverse = arguments.solver.inverse(&prepared)?;
-    post(prepared.machine, dialect, inverse.kinematics_mut(), &arguments.post, report)
+    match arguments.solver.inverse(&prepared)? {
+        Inverse::ClosedForm(solver) => post(prepared.machine, dialect, &*solver, &arguments.post, report),
+        Inverse::Numeric(solver) => post(prepared.machine, dialect, &*solver, &arguments.post, report),
+    }
 }
 
 /// Nothing can be posted for this machine.

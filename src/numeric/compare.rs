@@ -48,7 +48,7 @@ pub fn compare<R: Read>(
     machine: &Machine,
     plan: &Plan,
     mut reader: Reader<R>,
-    clock: &dyn Fn() -> Duration,
+    clock: &(dyn Fn() -> Duration + Sync),
     tell: &mut dyn FnMut(Diagnostic),
 ) -> io::Result<Compared> {
     let solvers: Vec<Solver> = Solver::of_plan(plan).collect();
@@ -131,7 +131,7 @@ impl<'a> Run<'a> {
 /// An inverse with a stopwatch.
 struct Timed<'c> {
     inverse: Inverse,
-    clock: &'c dyn Fn() -> Duration,
+    clock: &'c (dyn Fn() -> Duration + Sync),
     time: Duration,
 }
 

@@ -49,7 +49,7 @@ impl Inverse {
     }
 
     /// As the runtime runs it.
-    pub fn kinematics_mut(&mut self) -> &mut dyn Kinematics {
+    pub fn kinematics_mut(&mut self) -> &mut (dyn Kinematics + Send) {
         match self {
             Self::ClosedForm(interpreter) => &mut **interpreter,
             Self::Numeric(numeric) => &mut **numeric,

@@ -6,6 +6,7 @@ use mach_runtime::machine::Machine;
 use mach_runtime::nc::dialect::Dialect;
 use mach_runtime::post::{Job, post};
 use mach_runtime::render::{Style, render};
+use std::num::NonZeroUsize;
 use std::path::Path;
 
 /// A program and the machine that it is posted for.
@@ -35,7 +36,8 @@ pub fn content(program: &Program<'_>) -> String {
     let job = Job { file: cl_file, program: name, machine, dialect };
     let (mut nc, mut diagnostics) = (Vec::new(), Vec::new());
     let mut tell = |diagnostic| diagnostics.push(diagnostic);
-    let certificate = post(job, &mut Interpreter::new(plan), Reader::new(cl_file, cl, options), &mut nc, &mut tell)
+    let (kinematics, reader) = (Interpreter::new(plan), Reader::new(cl_file, cl, options));
+    let certificate = post(job, &kinematics, reader, &mut nc, NonZeroUsize::MIN, &mut tell)
         .expect("reading from and writing to memory does not fail");
     quote(&mut diagnostics, cl_file, cl).expect("reading from memory does not fail");
     let told = render(&diagnostics, Style::PLAIN);

@@ -1,6 +1,6 @@
 //! CL files, posted.
 
-use super::machine::root;
+use crate::machine::root;
 use mach_runtime::certificate::Certificate;
 use mach_runtime::cl::{Reader, ReaderOptions, quote};
 use mach_runtime::diagnostic::Diagnostic;
@@ -10,6 +10,7 @@ use machc::compile::Compiled;
 use machc::emit::tables;
 use machc::plan::Interpreter;
 use std::fs;
+use std::num::NonZeroUsize;
 use std::path::Path;
 
 /// What a post gave.
@@ -24,20 +25,32 @@ pub(crate) struct Posted {
 
 /// Posts a CL file by the closed form; the path is from the package's folder.
 pub(crate) fn posted(compiled: &Compiled, cl: &str) -> Posted {
-    posted_by(&mut Interpreter::new(&compiled.plan), compiled, cl)
+    posted_by(&Interpreter::new(&compiled.plan), compiled, cl)
 }
 
 /// Posts a CL file by these kinematics.
-pub(crate) fn posted_by(kinematics: &mut dyn Kinematics, compiled: &Compiled, cl: &str) -> Posted {
+pub(crate) fn posted_by<K: Kinematics + Clone + Send>(kinematics: &K, compiled: &Compiled, cl: &str) -> Posted {
+    let text = fs::read(root().join(cl)).unwrap_or_else(|error| panic!("{cl}: {error}"));
+    posted_text(kinematics, compiled, cl, &text, NonZeroUsize::MIN)
+}
+
+/// Posts CL text under a file's name.
+pub(crate) fn posted_text<K: Kinematics + Clone + Send>(
+    kinematics: &K,
+    compiled: &Compiled,
+    cl: &str,
+    text: &[u8],
+    threads: NonZeroUsize,
+) -> Posted {
     let machine = tables::machine(&compiled.model);
     let dialect = compiled.model.dialect.as_ref().expect("a machine with a controller");
-    let text = fs::read(root().join(cl)).unwrap_or_else(|error| panic!("{cl}: {error}"));
     let program = Path::new(cl).file_stem().and_then(|stem| stem.to_str()).expect("a name in UTF-8");
     let job = Job { file: cl, program, machine: &machine, dialect };
-    let reader = Reader::new(cl, text.as_slice(), ReaderOptions::of(&machine));
+    let reader = Reader::new(cl, text, ReaderOptions::of(&machine));
     let (mut nc, mut diagnostics) = (Vec::new(), Vec::new());
-    let certificate = post(job, kinematics, reader, &mut nc, &mut |diagnostic| diagnostics.push(diagnostic))
+    let mut tell = |diagnostic| diagnostics.push(diagnostic);
+    let certificate = post(job, kinematics, reader, &mut nc, threads, &mut tell)
         .expect("reading from and writing to memory does not fail");
-    quote(&mut diagnostics, cl, text.as_slice()).expect("reading from memory does not fail");
+    quote(&mut diagnostics, cl, text).expect("reading from memory does not fail");
     Posted { nc, certificate, diagnostics }
 }

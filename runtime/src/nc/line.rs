@@ -53,8 +53,8 @@ impl OpenLine {
     /// Prints text of the template; blanks that would follow a blank or begin the line are left out.
     pub(super) fn text(self, text: &str, out: &mut Vec<u8>) {
         let after_blank = out.len() == self.body || out.last() == Some(&b' ');
-        let text = if after_blank { text.trim_start_matches(' ') } else { text };
-        out.extend_from_slice(text.as_bytes());
+        let blanks = text.bytes().take_while(|byte| after_blank && *byte == b' ').count();
+        out.extend_from_slice(&text.as_bytes()[blanks..]);
     }
 
     /// Ends the line; one that has nothing in it is taken back, with its number.

@@ -49,7 +49,7 @@ impl Picture {
 
     /// The same for a value that need not fit before it is reduced to a turn.
     pub fn unbounded_units(&self, value: f64) -> Option<i64> {
-        let scaled = (value * POWERS[usize::from(self.decimals)] as f64).abs();
+        let scaled = (value * self.units_per_one() as f64).abs();
         if scaled.is_nan() || scaled >= POWERS[usize::from(Self::MOST_DIGITS)] as f64 {
             return None;
         }

@@ -19,6 +19,8 @@ use crate::machine::{Axis, Retract};
 #[derive(Debug)]
 pub struct Writer {
     dialect: Dialect,
+    /// For each trigger its block, as an index into the dialect's.
+    blocks: [Option<usize>; Trigger::ALL.len()],
     axes: Vec<AxisWord>,
     retract: Option<Retract>,
     state: State,
@@ -78,7 +80,8 @@ impl Writer {
         };
         let words = dialect.axes.iter().zip(axes);
         let words = words.map(|(word, axis)| AxisWord::new(word, axis, dialect.units)).collect();
-        Self { dialect, axes: words, retract: Retract::of(axes), state }
+        let blocks = Trigger::ALL.map(|trigger| dialect.blocks.iter().position(|block| block.trigger == trigger));
+        Self { dialect, blocks, axes: words, retract: Retract::of(axes), state }
     }
 
     /// The dialect it prints by.
@@ -147,7 +150,7 @@ impl Writer {
             Approach::Rapid | Approach::Feed(None) => None,
             Approach::Feed(Some(feed)) => Some(FeedState::new(feed, &self.dialect)?),
         };
-        let block = motion_block(&self.dialect, approach, self.state.approaching)?;
+        let block = motion_block(&self.dialect, &self.blocks, approach, self.state.approaching)?;
         let state = &mut self.state;
         for ((axis, joint), wanted) in self.axes.iter().zip(joints).zip(&mut state.wanted) {
             *wanted = axis.units(*joint, tool_length_mm)?;
@@ -178,13 +181,19 @@ impl Writer {
 }
 
 /// The block of a motion: that of the approach for a first one, where the controller has it.
-fn motion_block(dialect: &Dialect, approach: Approach, is_first: bool) -> Result<&Block, WriteError> {
+fn motion_block<'d>(
+    dialect: &'d Dialect,
+    blocks: &[Option<usize>],
+    approach: Approach,
+    is_first: bool,
+) -> Result<&'d Block, WriteError> {
     let (first, plain) = match approach {
         Approach::Rapid => (Trigger::Approach, Trigger::Rapid),
         Approach::Feed(_) => (Trigger::ApproachFeed, Trigger::Feed),
     };
-    let first = if is_first { dialect.block(first) } else { None };
-    first.or_else(|| dialect.block(plain)).ok_or(WriteError::NoBlock(plain))
+    let first = if is_first { blocks[first as usize] } else { None };
+    let block = first.or(blocks[plain as usize]).ok_or(WriteError::NoBlock(plain))?;
+    Ok(&dialect.blocks[block])
 }
 
 /// Prints a piece of a motion's line.

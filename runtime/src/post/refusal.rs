@@ -1,9 +1,9 @@
 //! Points that the machine cannot go to, as diagnostics.
 
-use super::{Job, severity};
+use super::Job;
 use crate::branch::{Candidate, Choice, Obstacle};
-use crate::diagnostic::{Code, Diagnostic, Place, Severity};
-use crate::machine::{Axis, Motion, Rule, Travel};
+use crate::diagnostic::{Code, Diagnostic, Place};
+use crate::machine::{Axis, Motion, Rule, Strictness, Travel};
 use crate::path::{Jump, Solved};
 
 /// E1101.
@@ -184,9 +184,9 @@ pub(super) fn of_step(job: Job<'_>, solved: &Solved<'_>, chosen: &Candidate) -> 
         Some(_) => "a surplus axis jumps in the middle of a cut",
         None => "the travel forces a reposition in the middle of a cut",
     };
-    let diagnostic = match severity(job.machine.branch.reposition) {
-        Severity::Error => Diagnostic::error(&REPOSITION, text),
-        Severity::Warning => Diagnostic::warning(&REPOSITION_WARNING, text),
+    let diagnostic = match job.machine.branch.reposition {
+        Strictness::Error => Diagnostic::error(&REPOSITION, text),
+        Strictness::Warn => Diagnostic::warning(&REPOSITION_WARNING, text),
     };
     let place = Place::line(job.file, solved.point.line);
     if let Some(jump) = solved.jump {

@@ -8,7 +8,7 @@ use mach_runtime::readback::{Mistake, ReadBack, ReadError};
 
 fn read(reader: &mut ReadBack, text: &str) -> Result<[f64; 5], ReadError> {
     let mut joints = [f64::NAN; 5];
-    reader.read(text.as_bytes(), 0.0, &mut joints).map(|()| joints)
+    reader.read(text.as_bytes(), 0.0, &mut joints).map(|_| joints)
 }
 
 #[test]

@@ -1,0 +1,95 @@
+//! The second half of a post: what was printed is read back, compared with the CL, and written out.
+
+use super::Job;
+use super::stretch::{PrintedPoint, Stretch};
+use crate::certificate::Certificate;
+use crate::cl::event::Point;
+use crate::compensation::Compensated;
+use crate::kinematics::{JointBlock, Kinematics, LANES, PoseBlock};
+use crate::readback::ReadBack;
+use crate::vector::{add, norm, sub};
+use std::io::{self, Write};
+
+/// Checks a program as it comes.
+pub(super) struct Checker<'a, K> {
+    job: Job<'a>,
+    kinematics: Compensated<'a, K>,
+    nc: &'a mut dyn Write,
+    readback: ReadBack,
+    certificate: Certificate,
+    /// What the text of a block of points says, and where that takes the tool.
+    joints: JointBlock,
+    poses: PoseBlock,
+    /// The joints of one point.
+    joint_values: Vec<f64>,
+}
+
+impl<'a, K: Kinematics> Checker<'a, K> {
+    pub(super) fn new(job: Job<'a>, kinematics: K, nc: &'a mut dyn Write) -> Self {
+        let axes = &job.machine.axes;
+        Self {
+            job,
+            kinematics: Compensated::new(kinematics, job.machine),
+            nc,
+            readback: ReadBack::new(job.dialect, axes),
+            certificate: Certificate::new(axes),
+            joints: vec![[0.0; LANES]; axes.len()],
+            poses: PoseBlock::ZERO,
+            joint_values: vec![0.0; axes.len()],
+        }
+    }
+
+    /// Reads a stretch back, compares where it takes the tool with where the CL wants it, and writes it out.
+    pub(super) fn check(&mut self, stretch: &Stretch) -> io::Result<()> {
+        let joints = stretch.joints.chunks(LANES * self.joint_values.len());
+        for (printed, joints) in stretch.printed.chunks(LANES).zip(joints) {
+            self.watch(printed, joints, &stretch.points);
+            self.read(printed, stretch);
+            self.compare(printed, &stretch.points);
+        }
+        self.nc.write_all(&stretch.text)
+    }
+
+    /// What was found, after the last stretch.
+    pub(super) fn finish(self) -> io::Result<Certificate> {
+        self.nc.flush()?;
+        Ok(self.certificate)
+    }
+
+    /// Notes where the axes go and how far the rotaries turn.
+    fn watch(&mut self, printed: &[PrintedPoint], joints: &[f64], points: &[Point]) {
+        for (printed, joints) in printed.iter().zip(joints.chunks(self.joint_values.len())) {
+            let line = points[printed.point].line;
+            self.certificate.visit(line, joints);
+            if let Some(step_deg) = printed.rotary_step_deg {
+                self.certificate.step(line, step_deg);
+            }
+        }
+    }
+
+    /// Reads the text of up to [`LANES`] points.
+    fn read(&mut self, printed: &[PrintedPoint], stretch: &Stretch) {
+        for (lane, printed) in printed.iter().enumerate() {
+            let text = &stretch.text[printed.text.clone()];
+            let read = self.readback.read(text, self.job.machine.tool_length_mm, &mut self.joint_values);
+            self.certificate.blocks += read.unwrap_or_else(|error| {
+                let (line, text) = (stretch.points[printed.point].line, String::from_utf8_lossy(text));
+                panic!("the text printed for CL line {line} must read back, but: {error}\n{text}")
+            });
+            for (joint, value) in self.joints.iter_mut().zip(&self.joint_values) {
+                joint[lane] = *value;
+            }
+        }
+    }
+
+    /// Compares where the text takes the tool with where the CL wants it.
+    fn compare(&mut self, printed: &[PrintedPoint], points: &[Point]) {
+        let Self { job: Job { machine, .. }, kinematics, certificate, joints, poses, .. } = self;
+        kinematics.forward(joints, machine.tool_length_mm, poses);
+        for (lane, printed) in printed.iter().enumerate() {
+            let point = &points[printed.point];
+            let tip_mm = norm(sub(poses.tip(lane), add(point.tip_mm, machine.zero_mm)));
+            certificate.compare(point.line, tip_mm, [poses.axis(lane), point.axis]);
+        }
+    }
+}

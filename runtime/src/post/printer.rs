@@ -1,0 +1,212 @@
+//! The first half of a post: the points of the CL are solved and printed.
+
+use super::stretch::{PrintedPoint, Stretch};
+use super::{Job, NO_FEED_RATE, TOO_MANY_ERRORS, refusal};
+use crate::branch::{Candidate, Choice};
+use crate::cl::Next;
+use crate::cl::event::{Approach, Command, Coolant, Point, Spindle};
+use crate::diagnostic::{Diagnostic, Place, Severity};
+use crate::kinematics::Kinematics;
+use crate::nc::dialect::Trigger;
+use crate::nc::write_error::WriteError;
+use crate::nc::writer::{Values, Writer};
+use crate::path::{PathSolver, Solved};
+use std::mem;
+use std::ops::Range;
+
+/// So many errors are told; then the post gives up.
+const MOST_ERRORS: u32 = 20;
+
+/// Prints a program stretch by stretch.
+pub(super) struct Printer<'a> {
+    job: Job<'a>,
+    path: PathSolver<'a>,
+    writer: Writer,
+    errors: u32,
+    has_begun: bool,
+    without_feed: bool,
+    state: State,
+}
+
+/// What the placeholders of the blocks stand for, as far as the CL has said.
+#[derive(Debug, Default)]
+struct State {
+    operation: String,
+    tool_name: String,
+    text: String,
+    tool: u64,
+    register: u64,
+    speed_rpm: f64,
+    dwell_s: f64,
+}
+
+impl<'a> Printer<'a> {
+    pub(super) fn new(job: Job<'a>, kinematics: &'a mut (dyn Kinematics + Send)) -> Self {
+        Self {
+            job,
+            path: PathSolver::new(job.machine, kinematics),
+            writer: Writer::new(job.dialect.clone(), &job.machine.axes),
+            errors: 0,
+            has_begun: false,
+            without_feed: false,
+            state: State::default(),
+        }
+    }
+
+    pub(super) fn is_without_errors(&self) -> bool {
+        self.errors == 0
+    }
+
+    /// Prints a stretch that has been read. After too many errors that stretch is the last one.
+    pub(super) fn print(&mut self, stretch: &mut Stretch) {
+        if !mem::replace(&mut self.has_begun, true) {
+            self.command(Trigger::Start, None, stretch);
+        }
+        for (points, next) in mem::take(&mut stretch.blocks) {
+            self.points(points, stretch);
+            match next {
+                Next::Full => {}
+                Next::From(point) => self.stand_at(&point, stretch),
+                Next::Command(command, place) => self.carry_out(command, place, stretch),
+                Next::Diagnostic(diagnostic) => self.tell(diagnostic, stretch),
+                Next::End => return self.command(Trigger::End, None, stretch),
+            }
+            if self.errors >= MOST_ERRORS {
+                let message = format!("{} has more errors than are worth telling", self.job.file);
+                stretch.diagnostics.push(Diagnostic::error(&TOO_MANY_ERRORS, message));
+                stretch.is_last = true;
+                return;
+            }
+        }
+    }
+
+    /// A block may have more mistakes than are told.
+    fn tell(&mut self, diagnostic: Diagnostic, stretch: &mut Stretch) {
+        if self.errors < MOST_ERRORS {
+            self.errors += u32::from(diagnostic.severity == Severity::Error);
+            stretch.diagnostics.push(diagnostic);
+        }
+    }
+
+    /// `FROM`: the choice starts from there, nothing is printed.
+    fn stand_at(&mut self, point: &Point, stretch: &mut Stretch) {
+        let mut diagnostic = None;
+        let job = self.job;
+        self.path.solve(std::slice::from_ref(point), &mut |solved| {
+            diagnostic = refusal::of(job, solved);
+        });
+        diagnostic.into_iter().for_each(|diagnostic| self.tell(diagnostic, stretch));
+    }
+
+    /// Solves and prints a block of points.
+    fn points(&mut self, block: Range<usize>, stretch: &mut Stretch) {
+        let mut diagnostics = Vec::new();
+        let Self { job, path, writer, .. } = self;
+        let length_mm = job.machine.tool_length_mm;
+        let Stretch { points, text, printed, joints, .. } = stretch;
+        path.solve(&points[block.clone()], &mut |solved| match solved.chosen() {
+            Some(chosen) => {
+                if is_reposition(solved) {
+                    diagnostics.push(refusal::of_step(*job, solved, chosen));
+                }
+                let start = text.len();
+                match writer.motion(solved.point.approach, &chosen.joints, length_mm, text) {
+                    Ok(()) => {
+                        let rotary_step_deg = rotary_step_deg(solved, chosen);
+                        let point = block.start + solved.lane;
+                        printed.push(PrintedPoint { point, text: start..text.len(), rotary_step_deg });
+                        joints.extend_from_slice(&chosen.joints);
+                    }
+                    Err(error) => diagnostics.push(at_line(&error, job.file, solved.point.line)),
+                }
+            }
+            None => diagnostics.extend(refusal::of(*job, solved)),
+        });
+        self.warn_without_feed(block, stretch);
+        diagnostics.into_iter().for_each(|diagnostic| self.tell(diagnostic, stretch));
+    }
+
+    /// A motion at feed before any feed rate is legal CL, and stops a control.
+    fn warn_without_feed(&mut self, block: Range<usize>, stretch: &mut Stretch) {
+        let without = stretch.points[block].iter().find(|point| point.approach == Approach::Feed(None));
+        if let (Some(point), false) = (without, self.without_feed) {
+            self.without_feed = true;
+            let message = "a motion at feed stands before any feed rate; its block has no feed word";
+            let place = Place::line(self.job.file, point.line);
+            self.tell(Diagnostic::warning(&NO_FEED_RATE, message).at(place, "no FEDRAT before it"), stretch);
+        }
+    }
+
+    fn carry_out(&mut self, command: Command, place: Place, stretch: &mut Stretch) {
+        let trigger = match command {
+            Command::Operation { name, tool } => {
+                (self.state.operation, self.state.tool_name) = (name, tool);
+                Trigger::Operation
+            }
+            Command::Tool { number, register } => {
+                (self.state.tool, self.state.register) = (number, register.unwrap_or(number));
+                Trigger::Tool
+            }
+            Command::SpindleOn(direction, speed_rpm) => {
+                self.state.speed_rpm = speed_rpm;
+                match direction {
+                    Spindle::Clockwise => Trigger::SpindleClockwise,
+                    Spindle::Counterclockwise => Trigger::SpindleCounterclockwise,
+                }
+            }
+            Command::SpindleOff => Trigger::SpindleOff,
+            Command::CoolantOn(Coolant::Flood) => Trigger::CoolantFlood,
+            Command::CoolantOn(Coolant::Mist) => Trigger::CoolantMist,
+            Command::CoolantOn(Coolant::Through) => Trigger::CoolantThrough,
+            Command::CoolantOff => Trigger::CoolantOff,
+            Command::Stop => Trigger::Stop,
+            Command::OptionalStop => Trigger::OptionalStop,
+            Command::Dwell(dwell_s) => {
+                self.state.dwell_s = dwell_s;
+                Trigger::Dwell
+            }
+            Command::Message(text) => {
+                self.state.text = text;
+                Trigger::Message
+            }
+        };
+        self.command(trigger, Some(place), stretch);
+    }
+
+    fn command(&mut self, trigger: Trigger, place: Option<Place>, stretch: &mut Stretch) {
+        let values = Values {
+            program: self.job.program,
+            machine: &self.job.machine.name,
+            operation: &self.state.operation,
+            tool_name: &self.state.tool_name,
+            text: &self.state.text,
+            tool: self.state.tool,
+            register: self.state.register,
+            speed_rpm: self.state.speed_rpm,
+            dwell_s: self.state.dwell_s,
+        };
+        if let Err(error) = self.writer.command(trigger, &values, &mut stretch.text) {
+            let diagnostic = error.diagnostic();
+            let diagnostic = match place {
+                Some(place) => diagnostic.at(place, ""),
+                None => diagnostic,
+            };
+            self.tell(diagnostic, stretch);
+        }
+    }
+}
+
+fn at_line(error: &WriteError, file: &str, line: u64) -> Diagnostic {
+    error.diagnostic().at(Place::line(file, line), "")
+}
+
+/// The rotary motion of a cut; none where no position is known before it.
+fn rotary_step_deg(solved: &Solved<'_>, chosen: &Candidate) -> Option<f64> {
+    (!solved.is_first && matches!(solved.point.approach, Approach::Feed(_))).then_some(chosen.rotary_travel_deg)
+}
+
+/// Whether a choice was forced by the travel, or a surplus axis jumps, in the middle of a cut.
+fn is_reposition(solved: &Solved<'_>) -> bool {
+    let forced = matches!(solved.choice, Choice::Candidate { forced: true, .. }) || solved.jump.is_some();
+    forced && !solved.is_first && matches!(solved.point.approach, Approach::Feed(_))
+}
