@@ -8,6 +8,7 @@ use std::num::NonZeroUsize;
 #[path = "common/machine.rs"]
 mod machine;
 #[path = "common/program.rs"]
+#[expect(dead_code, reason = "it posts texts")]
 mod program;
 #[path = "common/stems.rs"]
 mod stems;

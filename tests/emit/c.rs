@@ -60,12 +60,14 @@ fn world(compiled: &Compiled, tip: [f64; 3], length_mm: f64) -> [f64; 3] {
     std::array::from_fn(|i| tip[i] + compiled.model.tool.axis[i] * length_mm)
 }
 
-/// The line that asks for the joints at a place of the world, with the angles of these joints.
+/// The world's coordinates beside those of the tip.
+const COPIED: [&str; 6] = ["A", "B", "C", "U", "V", "W"];
+
+/// The line that asks for the joints at a place of the world, with the rest of its coordinates from these joints.
 fn inverse_line(compiled: &Compiled, world: [f64; 3], joints: &[f64]) -> String {
     let mut line = format!("I {} {} {}", world[0], world[1], world[2]);
-    for word in ["A", "B", "C"] {
-        let axis = compiled.model.axes.iter().position(|axis| axis.name == word);
-        write!(line, " {}", axis.map_or(0.0, |axis| joints[axis])).expect("strings can be written");
+    for value in copied(compiled, joints) {
+        write!(line, " {value}").expect("strings can be written");
     }
     line + "\n"
 }
@@ -75,10 +77,9 @@ fn forward_line(joints: &[f64]) -> String {
     format!("F {}\n", joints.join(" "))
 }
 
-/// Where the angles of the joints stand in the world's coordinates.
-fn world_angles(compiled: &Compiled, joints: &[f64]) -> [f64; 3] {
-    ["A", "B", "C"]
-        .map(|word| compiled.model.axes.iter().position(|axis| axis.name == word).map_or(0.0, |axis| joints[axis]))
+/// The joints that the world's coordinates hold as they are.
+fn copied(compiled: &Compiled, joints: &[f64]) -> [f64; 6] {
+    COPIED.map(|word| compiled.model.axes.iter().position(|axis| axis.name == word).map_or(0.0, |axis| joints[axis]))
 }
 
 /// An answer: no failure, and these numbers first.
@@ -102,7 +103,7 @@ fn conversation(compiled: &Compiled) -> (String, Vec<Vec<f64>>) {
             let joints: Vec<f64> = joints.iter().map(|joint| joint[lane]).collect();
             let world = world(compiled, poses.tip(lane), tool_length_mm);
             lines += &forward_line(&joints);
-            wanted.push([world, world_angles(compiled, &joints)].concat());
+            wanted.push([&world[..], &copied(compiled, &joints)].concat());
             let mut placed = joints.clone();
             interpreter.position(poses.tip(lane), tool_length_mm, &mut placed);
             lines += &inverse_line(compiled, world, &joints);
@@ -132,7 +133,7 @@ fn generated_c_computes_what_the_modules_of_linuxcnc_compute() {
             let joints: Vec<f64> = compiled.model.axes.iter().map(|axis| row.joints[&axis.name]).collect();
             assert_eq!(compiled.model.tool.length_mm, 0.0);
             let answers = answers(&compiled, &(forward_line(&joints) + &inverse_line(&compiled, row.tip, &joints)));
-            require(&name, &answers[1], &[row.tip, world_angles(&compiled, &joints)].concat());
+            require(&name, &answers[1], &[&row.tip[..], &copied(&compiled, &joints)].concat());
             require(&name, &answers[2], &joints);
         }
     }
@@ -141,7 +142,7 @@ fn generated_c_computes_what_the_modules_of_linuxcnc_compute() {
 #[test]
 fn joints_that_are_no_numbers_are_refused() {
     let compiled = machine::compiled("machines/tilting_ram.mach", &machine::Files);
-    let answers = answers(&compiled, "I 10 20 30 0 0 0\nI inf 20 30 0 0 0\n");
+    let answers = answers(&compiled, "I 10 20 30 0 0 0 0 0 0\nI inf 20 30 0 0 0 0 0 0\n");
     assert_eq!([answers[1][0], answers[2][0]], [0.0, -1.0], "{answers:?}");
     assert_eq!(answers[2][1..], [0.0; 9], "the joints stay as they were");
 }

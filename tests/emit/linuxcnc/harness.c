@@ -1,4 +1,4 @@
-// Loads a kinematics module and answers lines: `L length` sets the pin, `F j0 … j8` and `I x y z a b c` ask.
+// Loads a kinematics module and answers lines: `L length` sets the pin, `F j0 … j8` and `I x y z a b c u v w` ask.
 #include <stdio.h>
 #include <stdlib.h>
 #include "hal.h"
@@ -29,7 +29,7 @@ int main(void)
         return 1;
     printf("%.17g\n", *only_pin);
     while (scanf(" %c", &kind) == 1) {
-        int wanted = kind == 'L' ? 1 : kind == 'F' ? 9 : 6;
+        int wanted = kind == 'L' ? 1 : 9;
         for (int i = 0; i < wanted; i++)
             if (scanf("%lf", &in[i]) != 1)
                 return 1;
@@ -41,7 +41,7 @@ int main(void)
             printf("%d %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g\n", failed, world.tran.x, world.tran.y,
                    world.tran.z, world.a, world.b, world.c, world.u, world.v, world.w);
         } else {
-            EmcPose world = { { in[0], in[1], in[2] }, in[3], in[4], in[5], 0, 0, 0 };
+            EmcPose world = { { in[0], in[1], in[2] }, in[3], in[4], in[5], in[6], in[7], in[8] };
             for (int i = 0; i < 9; i++)
                 out[i] = 0;
             int failed = kinematicsInverse(&world, out, &iflags, &fflags);
