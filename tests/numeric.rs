@@ -9,7 +9,7 @@ mod program;
 mod stems;
 
 use mach_runtime::error_table::{Component, ErrorTable};
-use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, PoseBlock, SolutionBlock};
+use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, PoseBlock, SolutionBlock};
 use mach_runtime::vector::{Vec3, angle_rad, norm, sub};
 use machc::compile::Compiled;
 use machc::derive::derive;
@@ -36,10 +36,12 @@ struct Solved {
     axis_rad: f64,
 }
 
-fn solved(compiled: &Compiled, kinematics: &mut dyn Kinematics, wanted: &PoseBlock) -> Solved {
+/// The surplus joints are those of `joints`.
+fn solved(compiled: &Compiled, kinematics: &mut dyn Kinematics, wanted: &PoseBlock, joints: &JointBlock) -> Solved {
     let length_mm = compiled.model.tool.length_mm;
     let mut block = SolutionBlock::new(kinematics.branch_count(), kinematics.axis_count());
-    kinematics.inverse(wanted, &[], length_mm, &mut block);
+    let surplus: Vec<Lane> = kinematics.surplus_axes().iter().map(|&axis| joints[axis]).collect();
+    kinematics.inverse(wanted, &surplus, length_mm, &mut block);
     let (mut reached, mut tip_mm, mut axis_rad) = (PoseBlock::ZERO, 0.0_f64, 0.0_f64);
     for candidate in &block.branches {
         Interpreter::new(&compiled.plan).forward(candidate, length_mm, &mut reached);
@@ -51,6 +53,11 @@ fn solved(compiled: &Compiled, kinematics: &mut dyn Kinematics, wanted: &PoseBlo
     Solved { block, tip_mm, axis_rad }
 }
 
+/// Every axis at zero.
+fn at_home(compiled: &Compiled) -> JointBlock {
+    vec![[0.0; LANES]; compiled.model.axes.len()]
+}
+
 /// Whether a rotary between the linear axes stands next to where they no longer span space: joints grow without bound
 /// there, and their rounding with them.
 fn is_far(candidate: &[[f64; LANES]], lane: usize) -> bool {
@@ -60,7 +67,7 @@ fn is_far(candidate: &[[f64; LANES]], lane: usize) -> bool {
 /// Joints on their way: steps of up to half a turn and half a metre, and lanes that hardly move.
 fn joints(compiled: &Compiled, block: usize) -> JointBlock {
     let spread = |axis: usize, lane: usize| {
-        let step = [0.754_877_666, 0.569_840_29, 0.618_033_988, 0.414_213_562, 0.732_050_807][axis];
+        let step = [0.754_877_666, 0.569_840_29, 0.618_033_988, 0.414_213_562, 0.732_050_807, 0.236_067_977][axis];
         let n = (block * LANES + lane + 1) as f64;
         let far = 2.0 * (n * step).fract() - 1.0;
         let near = 0.4 + 0.001 * (n * (axis + 1) as f64).fract();
@@ -86,22 +93,26 @@ fn the_solutions_are_those_of_the_closed_form() {
         for method in METHODS {
             let mut numeric = Numeric::new(&compiled.plan, method);
             for block in 0..4 {
-                let mut wanted = PoseBlock::ZERO;
-                closed.forward(&joints(&compiled, block), compiled.model.tool.length_mm, &mut wanted);
-                let (expected, found) =
-                    (solved(&compiled, &mut closed, &wanted), solved(&compiled, &mut numeric, &wanted));
+                let (joints, mut wanted) = (joints(&compiled, block), PoseBlock::ZERO);
+                closed.forward(&joints, compiled.model.tool.length_mm, &mut wanted);
+                let expected = solved(&compiled, &mut closed, &wanted, &joints);
+                let found = solved(&compiled, &mut numeric, &wanted, &joints);
                 assert!(found.tip_mm <= TIP_BOUND_MM, "{name} {method:?}: {:e} mm", found.tip_mm);
                 assert!(found.axis_rad <= AXIS_BOUND_RAD, "{name} {method:?}: {:e} rad", found.axis_rad);
-                // At the pole a rotary is free: there are more solutions than these.
+                // At the pole a rotary is free, and so is one that a surplus axis lays the tool along, where the branches
+                // meet: there are more solutions than these.
                 let has_two = |lane: &usize| {
-                    let is_near = !expected.block.branches.iter().any(|candidate| is_far(candidate, *lane));
-                    is_near && expected.block.pole_sine[*lane] > AXIS_BOUND_RAD
+                    let branches = &expected.block.branches;
+                    let is_near = !branches.iter().any(|candidate| is_far(candidate, *lane));
+                    let meet = |pair: &[JointBlock]| is_same(&compiled.plan.rotary, &pair[0], &pair[1], *lane);
+                    is_near && expected.block.pole_sine[*lane] > AXIS_BOUND_RAD && !branches.windows(2).any(meet)
                 };
                 for lane in (0..LANES).filter(has_two) {
                     assert_eq!(found.block.reach_rad[lane], 0.0, "{name} {method:?}");
                     for candidate in &expected.block.branches {
                         let mut all = found.block.branches.iter();
                         let is_found = all.any(|other| is_same(&compiled.plan.rotary, candidate, other, lane));
+
                         assert!(is_found, "{name} {method:?}: a solution is missed in lane {lane} of block {block}");
                     }
                 }
@@ -137,7 +148,7 @@ fn next_to_the_pole_and_at_it_the_bounds_hold() {
         let compiled = compiled(name);
         let wanted = around([0.0, 0.0, 1.0], &[0.1, 1e-3, 0.0, 1e-5, 1e-7, 1e-9, 1e-11, 0.3]);
         for method in METHODS {
-            let found = solved(&compiled, &mut Numeric::new(&compiled.plan, method), &wanted);
+            let found = solved(&compiled, &mut Numeric::new(&compiled.plan, method), &wanted, &at_home(&compiled));
             assert!(found.tip_mm <= TIP_BOUND_MM, "{name} {method:?}: {:e} mm", found.tip_mm);
             assert!(found.axis_rad <= AXIS_BOUND_RAD, "{name} {method:?}: {:e} rad", found.axis_rad);
             assert_eq!(found.block.reach_rad, [0.0; LANES], "{name} {method:?}");
@@ -152,7 +163,7 @@ fn beyond_the_reach_the_angle_to_it_is_told() {
     let wanted = around([0.0, 0.0, 1.0], &beyond_rad.map(|beyond| FRAC_PI_2 + beyond));
     let compiled = compiled("dmu50ev");
     for method in METHODS {
-        let found = solved(&compiled, &mut Numeric::new(&compiled.plan, method), &wanted);
+        let found = solved(&compiled, &mut Numeric::new(&compiled.plan, method), &wanted, &at_home(&compiled));
         assert!(found.tip_mm <= TIP_BOUND_MM, "{method:?}: the tip is held all the same, not to {:e} mm", found.tip_mm);
         for (lane, reach_rad) in found.block.reach_rad.iter().enumerate() {
             let beyond = beyond_rad[lane % beyond_rad.len()];
@@ -166,7 +177,7 @@ fn a_machine_without_rotaries_says_how_far_the_axis_is_off() {
     let compiled = compiled("vmc3");
     let wanted = around([0.0, 0.0, 1.0], &[0.0, 1e-9, 0.2, 2.0]);
     for method in METHODS {
-        let found = solved(&compiled, &mut Numeric::new(&compiled.plan, method), &wanted);
+        let found = solved(&compiled, &mut Numeric::new(&compiled.plan, method), &wanted, &at_home(&compiled));
         assert!(found.tip_mm <= TIP_BOUND_MM);
         for (lane, reach_rad) in found.block.reach_rad.iter().enumerate() {
             assert!((reach_rad + [0.0, 1e-9, 0.2, 2.0][lane % 4]).abs() < 1e-12, "{method:?}: {reach_rad}");
@@ -184,7 +195,7 @@ fn where_the_linear_axes_do_not_span_space_that_is_told_and_it_goes_on_behind() 
         wanted.set(lane, [10.0, 20.0, 30.0 + lane as f64], axis);
     }
     for method in METHODS {
-        let found = solved(&compiled, &mut Numeric::new(&compiled.plan, method), &wanted).block;
+        let found = solved(&compiled, &mut Numeric::new(&compiled.plan, method), &wanted, &at_home(&compiled)).block;
         for candidate in &found.branches {
             for lane in 0..LANES {
                 // Next to there the axis may be given up for a tip that far joints hold; that is told.
