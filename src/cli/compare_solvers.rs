@@ -1,6 +1,6 @@
 //! `machc compare-solvers`.
 
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use mach_command::files::cannot_read;
 use mach_command::outcome::{Failure, Status};
@@ -50,14 +50,9 @@ pub(super) fn run(arguments: Arguments, report: &Report) -> Result<Status, Failu
     Ok(status)
 }
 
-/// Nanoseconds for a point.
-fn per_point_ns(time: Duration, compared: &Compared) -> f64 {
-    time.as_nanos() as f64 / compared.points.max(1) as f64
-}
-
 /// As a multiple of the first solver's time.
 fn ratio(measured: &Measured, compared: &Compared) -> f64 {
-    measured.time.as_nanos() as f64 / compared.solvers[0].time.as_nanos().max(1) as f64
+    measured.pose_ns / compared.solvers[0].pose_ns
 }
 
 fn line(machine: &str, compared: &Compared, measured: &Measured) -> Value {
@@ -79,7 +74,7 @@ fn line(machine: &str, compared: &Compared, measured: &Measured) -> Value {
         "tip_error_mm": extreme(measured.tip_mm),
         "axis_error_rad": extreme(measured.axis_rad),
         "iterations": effort,
-        "time_per_point_ns": per_point_ns(measured.time, compared),
+        "time_per_pose_ns": measured.pose_ns,
         "time_ratio": ratio(measured, compared),
     })
 }
@@ -100,7 +95,7 @@ fn table(machine: &str, cl: &str, compared: &Compared) -> String {
         ("largest tip error, mm", result(&|measured| format!("{:.1e}", measured.tip_mm.value))),
         ("largest axis error, rad", result(&|measured| format!("{:.1e}", measured.axis_rad.value))),
         ("points without a solution", result(&|measured| measured.failures.to_string())),
-        ("time of a point, ns", result(&|measured| format!("{:.0}", per_point_ns(measured.time, compared)))),
+        ("time of a pose, ns", result(&|measured| format!("{:.0}", measured.pose_ns))),
         ("times the first", result(&|measured| format!("{:.1}", ratio(measured, compared)))),
     ];
     let row = |(title, cells): &(&str, Vec<String>)| {

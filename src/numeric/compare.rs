@@ -6,6 +6,7 @@ use crate::plan::{Interpreter, Plan};
 use mach_runtime::certificate::Extreme;
 use mach_runtime::cl::event::Point;
 use mach_runtime::cl::{Next, Reader};
+use mach_runtime::compensation::Compensated;
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, PoseBlock, SolutionBlock};
 use mach_runtime::machine::Machine;
 use mach_runtime::path::PathSolver;
@@ -26,8 +27,9 @@ pub struct Measured {
     pub axis_rad: Extreme,
     /// Points at which nothing could be chosen.
     pub failures: u64,
-    /// How long the inverse took for all points.
-    pub time: Duration,
+    /// How long the inverse took for a pose, in nanoseconds. The first of several blocks, which finds nothing in the
+    /// processor's caches, does not count.
+    pub pose_ns: f64,
 }
 
 /// The solvers that the machine has, the closed form first.
@@ -53,7 +55,7 @@ pub fn compare<R: Read>(
 ) -> io::Result<Compared> {
     let solvers: Vec<Solver> = Solver::of_plan(plan).collect();
     let inverses = solvers.iter().map(|solver| solver.inverse(plan).expect("the plan has these solvers"));
-    let mut timed: Vec<Timed<'_>> = inverses.map(|inverse| Timed { inverse, clock, time: Duration::ZERO }).collect();
+    let mut timed: Vec<Timed<'_>> = inverses.map(|inverse| Timed::new(inverse, clock)).collect();
     let mut runs: Vec<Run<'_>> = timed.iter_mut().map(|timed| Run::new(machine, plan, timed)).collect();
     let mut points = Vec::with_capacity(LANES);
     let mut count = 0;
@@ -72,7 +74,7 @@ pub fn compare<R: Read>(
     let found: Vec<Found> = runs.into_iter().map(|run| run.found).collect();
     let measured = solvers.into_iter().zip(found).zip(timed).map(|((solver, found), timed)| {
         let Found { tip_mm, axis_rad, failures } = found;
-        Measured { solver, effort: timed.inverse.effort(), tip_mm, axis_rad, failures, time: timed.time }
+        Measured { solver, effort: timed.inverse.effort(), tip_mm, axis_rad, failures, pose_ns: timed.pose_ns() }
     });
     Ok(Compared { points: count, solvers: measured.collect() })
 }
@@ -82,7 +84,7 @@ struct Run<'a> {
     machine: &'a Machine,
     path: PathSolver<'a>,
     /// A second chain, for where the joints take the tool.
-    forward: Interpreter,
+    forward: Compensated<'a, Interpreter>,
     joints: JointBlock,
     poses: PoseBlock,
     found: Found,
@@ -101,7 +103,7 @@ impl<'a> Run<'a> {
         Self {
             machine,
             path: PathSolver::new(machine, timed),
-            forward: Interpreter::new(plan),
+            forward: Compensated::new(Interpreter::new(plan), machine),
             joints: vec![[0.0; LANES]; machine.axes.len()],
             poses: PoseBlock::ZERO,
             found: Found::default(),
@@ -132,7 +134,19 @@ impl<'a> Run<'a> {
 struct Timed<'c> {
     inverse: Inverse,
     clock: &'c (dyn Fn() -> Duration + Sync),
+    blocks: u32,
     time: Duration,
+}
+
+impl<'c> Timed<'c> {
+    fn new(inverse: Inverse, clock: &'c (dyn Fn() -> Duration + Sync)) -> Self {
+        Self { inverse, clock, blocks: 0, time: Duration::ZERO }
+    }
+
+    fn pose_ns(&self) -> f64 {
+        let poses = f64::from(self.blocks.saturating_sub(1).max(1)) * LANES as f64;
+        self.time.as_nanos() as f64 / poses
+    }
 }
 
 impl Kinematics for Timed<'_> {
@@ -155,7 +169,9 @@ impl Kinematics for Timed<'_> {
     fn inverse(&mut self, poses: &PoseBlock, surplus: &[Lane], tool_length_mm: f64, out: &mut SolutionBlock) {
         let start = (self.clock)();
         self.inverse.kinematics_mut().inverse(poses, surplus, tool_length_mm, out);
-        self.time += (self.clock)() - start;
+        let taken = (self.clock)() - start;
+        self.time = if self.blocks < 2 { taken } else { self.time + taken };
+        self.blocks += 1;
     }
 
     fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) {
