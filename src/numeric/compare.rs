@@ -6,6 +6,7 @@ use crate::plan::{Interpreter, Plan};
 use mach_runtime::certificate::Extreme;
 use mach_runtime::cl::event::Point;
 use mach_runtime::cl::{Next, Reader};
+use mach_runtime::compensation::Compensated;
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, PoseBlock, SolutionBlock};
 use mach_runtime::machine::Machine;
 use mach_runtime::path::PathSolver;
@@ -82,7 +83,7 @@ struct Run<'a> {
     machine: &'a Machine,
     path: PathSolver<'a>,
     /// A second chain, for where the joints take the tool.
-    forward: Interpreter,
+    forward: Compensated<'a, Interpreter>,
     joints: JointBlock,
     poses: PoseBlock,
     found: Found,
@@ -101,7 +102,7 @@ impl<'a> Run<'a> {
         Self {
             machine,
             path: PathSolver::new(machine, timed),
-            forward: Interpreter::new(plan),
+            forward: Compensated::new(Interpreter::new(plan), machine),
             joints: vec![[0.0; LANES]; machine.axes.len()],
             poses: PoseBlock::ZERO,
             found: Found::default(),
