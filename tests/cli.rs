@@ -50,6 +50,8 @@ fn files_that_are_not_there_are_no_mistake_of_the_input() {
         &["explain", "E9999"],
         &["frobnicate"],
         &["post", "mill.mach", "part.cls", "--tool-length", "long"],
+        &["post", "mill.mach", "part.cls", "--threads", "0"],
+        &["post", "mill.mach", "part.cls", "--solver", "guess"],
     ] {
         let run = workshop.run(arguments);
         assert_eq!((run.status, run.stdout.as_str()), (2, ""), "{arguments:?}: {}", run.stderr);

@@ -70,3 +70,12 @@ fn a_machine_with_errors_is_not_built() {
     assert!(built.stderr.contains("error[E"), "{}", built.stderr);
     assert!(!Path::new(folder).exists());
 }
+
+#[test]
+fn two_machines_of_one_name_are_not_built() {
+    let folder = concat!(env!("CARGO_TARGET_TMPDIR"), "/no_posts_of_one_name");
+    let built = machc(&["build", "machines/vmc3.mach", "machines/vmc3.mach", "--workspace", folder]);
+    assert_eq!((built.status, built.stdout.as_str()), (Some(2), ""));
+    assert!(built.stderr.contains("`vmc3-post`"), "{}", built.stderr);
+    assert!(!Path::new(folder).exists());
+}

@@ -22,8 +22,8 @@ pub struct PostOptions {
     /// The NC file; without it, or with -, standard output
     #[arg(short, long, value_name = "NC")]
     output: Option<String>,
-    /// Threads to work with; as many as the machine has, where it is not given
-    #[arg(long, value_name = "COUNT")]
+    /// Threads to work with, 1 or 2: more are not used; as many as there are processors, where it is not given
+    #[arg(long, value_name = "COUNT", value_parser = thread_count)]
     threads: Option<NonZeroUsize>,
     /// The program's name; the CL file's name where it is not given
     #[arg(long, value_name = "NAME")]
@@ -62,4 +62,8 @@ pub fn post<K: Kinematics + Clone + Send>(
     nc.commit()?;
     report.certificate(&machine.name, &certificate);
     Ok(status)
+}
+
+fn thread_count(text: &str) -> Result<NonZeroUsize, String> {
+    text.parse().map_err(|_| "expected a number of threads, at least 1".to_owned())
 }

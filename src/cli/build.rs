@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use mach_command::files::{cannot_read, cannot_write, shown};
+use mach_command::files::{cannot_read, cannot_write};
 use mach_command::outcome::{Failure, Status};
 use mach_command::output::{print, write_file};
 use mach_command::report::Report;
@@ -40,6 +40,10 @@ pub(super) fn run(arguments: Arguments, report: &Report) -> Result<Status, Failu
     let posts = machines.iter().map(|file| postable(file, report)).collect::<Result<Vec<_>, _>>()?;
     let Some(posts) = posts.into_iter().collect::<Option<Vec<_>>>() else { return Ok(Status::Refused) };
     let names: Vec<String> = posts.iter().map(|compiled| package_name(&compiled.model.name)).collect();
+    refuse_same_names(&names, &machines)?;
+    if let Some(to) = &output {
+        create_folder(to)?;
+    }
     write_workspace(&folder)?;
     for file in posts.iter().flat_map(package) {
         write_if_changed(&folder, &file)?;
@@ -57,16 +61,31 @@ pub(super) fn run(arguments: Arguments, report: &Report) -> Result<Status, Failu
 fn postable(file: &str, report: &Report) -> Result<Option<Compiled>, Failure> {
     let Some(compiled) = compiled(file, report)? else { return Ok(None) };
     if compiled.model.dialect.is_none() {
-        report.tell(&[no_controller(&compiled.model, shown(file))]);
+        report.tell(&[no_controller(&compiled.origins)]);
         return Ok(None);
     }
     Ok(Some(compiled))
 }
 
+/// Two machines of one name would be one post.
+fn refuse_same_names(names: &[String], machines: &[String]) -> Result<(), Failure> {
+    for (index, name) in names.iter().enumerate() {
+        if let Some(before) = names[..index].iter().position(|other| other == name) {
+            let (first, second) = (&machines[before], &machines[index]);
+            return Err(Failure(format!(
+                "`{first}` and `{second}` would both become `{name}`: call one of the machines otherwise"
+            )));
+        }
+    }
+    Ok(())
+}
+
+fn create_folder(folder: &Path) -> Result<(), Failure> {
+    fs::create_dir_all(folder).map_err(|error| cannot_write(&folder.to_string_lossy(), &error))
+}
+
 fn copied(built: &Path, to: &Path) -> Result<PathBuf, Failure> {
-    let folder = to.parent().unwrap_or(Path::new(""));
-    let copy = fs::create_dir_all(folder).and_then(|()| fs::copy(built, to));
-    copy.map_err(|error| cannot_write(&to.to_string_lossy(), &error))?;
+    fs::copy(built, to).map_err(|error| cannot_write(&to.to_string_lossy(), &error))?;
     Ok(to.to_owned())
 }
 

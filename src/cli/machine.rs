@@ -11,6 +11,7 @@ use machc::derive::prove::Proof;
 use machc::diagnostic::Diagnostic;
 use machc::emit::tables;
 use machc::model::machine::Model;
+use machc::model::origin::Origins;
 use machc::plan::Plan;
 
 use super::folders::Folders;
@@ -22,6 +23,7 @@ const CANNOT_READ: &str = "E0201";
 #[derive(Debug)]
 pub(super) struct Prepared {
     pub(super) model: Model,
+    pub(super) origins: Origins,
     pub(super) machine: Machine,
     pub(super) plan: Plan,
     pub(super) proof: Proof,
@@ -34,9 +36,9 @@ pub(super) fn prepare(file: &str, report: &Report) -> Result<Option<Prepared>, F
 
 /// The same for a file that is named as seen from another folder.
 pub(super) fn prepare_in(base: &Path, file: &str, report: &Report) -> Result<Option<Prepared>, Failure> {
-    let prepared = |Compiled { model, plan, proof, .. }: Compiled| {
+    let prepared = |Compiled { model, origins, plan, proof, .. }: Compiled| {
         let machine = tables::machine(&model);
-        Prepared { model, machine, plan, proof }
+        Prepared { model, origins, machine, plan, proof }
     };
     Ok(compiled_in(base, file, report)?.map(prepared))
 }

@@ -1,11 +1,10 @@
 //! `machc post`.
 
-use mach_command::files::shown;
 use mach_command::outcome::{Failure, Status};
 use mach_command::post::{PostOptions, post};
 use mach_command::report::Report;
-use machc::diagnostic::{Code, Diagnostic, Place};
-use machc::model::machine::Model;
+use machc::diagnostic::{Code, Diagnostic};
+use machc::model::origin::Origins;
 use machc::numeric::Inverse;
 
 use super::machine::prepare;
@@ -45,7 +44,7 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: Arguments, report: &mut Report) -> Result<Status, Failure> {
     let Some(prepared) = prepare(&arguments.machine, report)? else { return Ok(Status::Refused) };
     let Some(dialect) = &prepared.model.dialect else {
-        return Ok(report.tell(&[no_controller(&prepared.model, &arguments.machine)]));
+        return Ok(report.tell(&[no_controller(&prepared.origins)]));
     };
     match arguments.solver.inverse(&prepared)? {
         Inverse::ClosedForm(solver) => post(prepared.machine, dialect, &*solver, &arguments.post, report),
@@ -54,7 +53,8 @@ pub(super) fn run(arguments: Arguments, report: &mut Report) -> Result<Status, F
 }
 
 /// Nothing can be posted for this machine.
-pub(super) fn no_controller(model: &Model, file: &str) -> Diagnostic {
-    let message = format!("machine `{}` names no controller", model.name);
-    Diagnostic::error(&NO_CONTROLLER, message).at(Place::line(shown(file), 1), "")
+pub(super) fn no_controller(origins: &Origins) -> Diagnostic {
+    Diagnostic::error(&NO_CONTROLLER, NO_CONTROLLER.title)
+        .at(origins.name.clone(), "a program is written in the dialect of a controller")
+        .note("name it in the machine: `controller syntec { }`, with `use \"controllers/syntec.mach\"` at the head")
 }

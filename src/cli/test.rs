@@ -114,8 +114,8 @@ impl Test<'_> {
     /// The machine, if it has no errors and a controller.
     fn machine(&self, workspace: &Workspace, file: &str) -> Result<Option<Prepared>, Failure> {
         let prepared = prepare_in(&workspace.folder, file, self.report)?;
-        if let Some(Prepared { model, .. }) = prepared.as_ref().filter(|prepared| prepared.model.dialect.is_none()) {
-            self.report.tell(&[post::no_controller(model, file)]);
+        if let Some(Prepared { origins, .. }) = prepared.as_ref().filter(|prepared| prepared.model.dialect.is_none()) {
+            self.report.tell(&[post::no_controller(origins)]);
             return Ok(None);
         }
         Ok(prepared)

@@ -8,6 +8,8 @@ use mach_runtime::diagnostic::Place;
 pub struct Origins {
     /// Every file that was read, as the user or the using file names it; the entry first.
     pub files: Vec<String>,
+    /// The machine's name.
+    pub name: Place,
     /// The statement that declares each axis, in the order of the model.
     pub axes: Vec<Place>,
     /// The tool's statement.
@@ -19,6 +21,7 @@ pub(crate) fn origins(draft: &Draft<'_>) -> Origins {
     let sources = draft.sources;
     Origins {
         files: sources.ids().map(|id| sources.name(id).to_owned()).collect(),
+        name: sources.place(&draft.name.at),
         axes: draft.axes.iter().map(|axis| sources.place(&axis.at)).collect(),
         tool: sources.place(&draft.tool.as_ref().expect("a draft without findings is complete").at),
     }

@@ -79,6 +79,20 @@ fn the_solvers_are_compared() {
 }
 
 #[test]
+fn the_solvers_are_compared_on_the_machine_with_its_errors() {
+    let workshop = Workshop::new("compare_solvers_errors");
+    let table = "    error EXX { at -300: 10 um at 300: -20 um }\n    error EAC { at 0: 9 urad at 180: -9 urad }\n    tool along";
+    workshop.write("mill.mach", &super::machc::MILL.replace("    tool along", table));
+    let run = workshop.run(&["--json", "compare-solvers", "mill.mach", "part.cls"]);
+    assert_eq!((run.status, run.stderr.as_str()), (0, ""));
+    assert_eq!(run.stdout.lines().count(), 3);
+    for line in run.stdout.lines() {
+        let line: Value = serde_json::from_str(line).expect("JSON");
+        assert!(line["tip_error_mm"]["value"].as_f64().expect("a number") <= 1e-9, "{line}");
+    }
+}
+
+#[test]
 fn equations_and_data_are_written() {
     let workshop = Workshop::new("emit_data");
     let page = workshop.run(&["emit", "equations", "mill.mach"]);

@@ -62,7 +62,7 @@ pub(super) fn run(arguments: Arguments, report: &Report) -> Result<Status, Failu
 fn machine(file: &str, options: &Options, report: &Report) -> Result<Prepared, Failure> {
     let mut prepared = prepare(file, report)?.ok_or_else(|| has_errors(file))?;
     if prepared.model.dialect.is_none() {
-        report.tell(&[post::no_controller(&prepared.model, file)]);
+        report.tell(&[post::no_controller(&prepared.origins)]);
         return Err(has_errors(file));
     }
     prepared.machine = options.equipped(prepared.machine);

@@ -61,7 +61,7 @@ fn wrong_axes(block: &Block, machine: &[Axis<'_>]) -> Option<Mistake> {
     if !missing.is_empty() && missing.len() == machine.len() {
         return Some(("does not print `{axes}`".to_owned(), "exactly one `{axes}` is needed"));
     }
-    let label = "every axis of the machine is needed exactly once";
+    let label = "every axis of the machine is needed exactly once; a machine's own `controller` block may say it anew";
     if !missing.is_empty() {
         return Some((format!("does not print {}", missing.join(", ")), label));
     }
