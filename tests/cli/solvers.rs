@@ -103,21 +103,3 @@ fn equations_and_data_are_written() {
     let machine: Value = serde_json::from_str(&workshop.read("mill.json")).expect("JSON");
     assert_eq!((&machine["name"], &machine["chain"][0]["axis"]), (&"mill".into(), &"C".into()));
 }
-
-#[test]
-fn a_machine_with_measured_errors_is_compared_as_it_is() {
-    let workshop = Workshop::new("compare_measured");
-    let machine = super::machc::MILL.replacen(
-        "    tool along",
-        "    error EXX { at -300: 10 um at 300: -10 um }\n    tool along",
-        1,
-    );
-    workshop.write("mill.mach", &machine);
-    let run = workshop.run(&["--json", "compare-solvers", "mill.mach", "part.cls"]);
-    assert_eq!(run.status, 0, "{}", run.stderr);
-    for line in run.stdout.lines() {
-        let solver: Value = serde_json::from_str(line).expect("JSON");
-        let tip_mm = solver["tip_error_mm"]["value"].as_f64().expect("a number");
-        assert!(tip_mm <= 1e-9, "{line}");
-    }
-}
