@@ -1,5 +1,6 @@
 //! What `machc emit equations` and `machc emit json` write, locked.
 
+use mach_runtime::machine::Rule;
 use machc::emit::{json, latex};
 
 #[path = "common/machine.rs"]
@@ -41,5 +42,10 @@ fn every_machine_has_both() {
         let parsed: serde_json::Value = serde_json::from_str(&json::machine(&compiled.model)).expect("JSON");
         assert_eq!(parsed["axes"].as_array().expect("axes").len(), compiled.model.axes.len(), "{name}");
         assert_eq!(parsed["name"], name);
+        for (axis, told) in compiled.model.axes.iter().zip(parsed["axes"].as_array().expect("axes")) {
+            let keys = ["lock_mm", "lock_deg", "prefer_mm", "prefer_deg", "free"];
+            let is_told = keys.iter().any(|key| told.get(key).is_some());
+            assert_eq!(is_told, axis.rule != Rule::Pose, "{name}: {told}");
+        }
     }
 }

@@ -18,7 +18,7 @@ use super::solver::name;
 ///
 /// Each takes the machine along the toolpath, starting every point from the one before. Told are the iterations of the
 /// numeric ones, for all solutions of a point together, how exact the chosen joints are by the forward chain, points
-/// without a solution, and the time of the inverse. Times differ from run to run and machine to machine: ratios count.
+/// without a solution, and the time of the inverse. Times differ from run to run and computer to computer: ratios count.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// The machine file
