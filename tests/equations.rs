@@ -26,6 +26,19 @@ fn resolved_machines_are_as_locked() {
 }
 
 #[test]
+fn measured_errors_are_listed() {
+    let page = |name: &str| {
+        let compiled = compiled(name);
+        latex::equations(&compiled.model, &compiled.plan)
+    };
+    let measured = page("tmv710a_measured");
+    for part in ["\n## Errors\n\n- EC0Y = -15 urad", "without the errors that depend on positions"] {
+        assert!(measured.contains(part), "{measured}");
+    }
+    assert!(!page("tmv710a").contains("Errors"));
+}
+
+#[test]
 fn every_machine_has_both() {
     for entry in std::fs::read_dir(machine::root().join("machines")).expect("the folder is there") {
         let path = entry.expect("readable").path();

@@ -91,14 +91,21 @@ fn table(machine: &str, cl: &str, compared: &Compared) -> String {
         compared.solvers.iter().map(of_solver).collect::<Vec<_>>()
     };
     let result = |of: &dyn Fn(&Measured) -> String| compared.solvers.iter().map(of).collect::<Vec<_>>();
+    let error = |of: fn(&Measured) -> f64| {
+        let of_solver = |measured: &Measured| {
+            let is_solved = measured.failures < compared.points;
+            if is_solved { format!("{:.1e}", of(measured)) } else { "-".to_owned() }
+        };
+        result(&of_solver)
+    };
     let rows = [
         ("", result(&|measured| name(measured.solver).to_owned())),
         ("iterations a point, mean", effort(&|effort| format!("{:.2}", effort.mean_iterations()))),
         ("iterations a point, most", effort(&|effort| effort.most_iterations.to_string())),
         ("steps halved", effort(&|effort| effort.bisections.to_string())),
         ("searches from the grid", effort(&|effort| effort.searches.to_string())),
-        ("largest tip error, mm", result(&|measured| format!("{:.1e}", measured.tip_mm.value))),
-        ("largest axis error, rad", result(&|measured| format!("{:.1e}", measured.axis_rad.value))),
+        ("largest tip error, mm", error(|measured| measured.tip_mm.value)),
+        ("largest axis error, rad", error(|measured| measured.axis_rad.value)),
         ("points without a solution", result(&|measured| measured.failures.to_string())),
         ("time of a point, ns", result(&|measured| format!("{:.0}", per_point_ns(measured.time, compared)))),
         ("times the first", result(&|measured| format!("{:.1}", ratio(measured, compared)))),
