@@ -44,6 +44,7 @@ fn files_that_are_not_there_are_no_mistake_of_the_input() {
         &["post", "mill.mach", "no.cls"],
         &["solve", "mill.mach", "no.cls"],
         &["solve", "--joints", "mill.mach", "no.jsonl"],
+        &["solve", "--joints", "mill.mach", "part.cls", "--solver", "newton"],
         &["fmt", "no.mach"],
         &["post", "mill.mach", "part.cls", "-o", "no/part.nc"],
         &["post", "mill.mach", "part.cls", "-o", "."],

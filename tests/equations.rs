@@ -1,5 +1,6 @@
 //! What `machc emit equations` and `machc emit json` write, locked.
 
+use mach_runtime::machine::Rule;
 use machc::emit::{json, latex};
 
 #[path = "common/machine.rs"]
@@ -25,6 +26,19 @@ fn resolved_machines_are_as_locked() {
 }
 
 #[test]
+fn measured_errors_are_listed() {
+    let page = |name: &str| {
+        let compiled = compiled(name);
+        latex::equations(&compiled.model, &compiled.plan)
+    };
+    let measured = page("tmv710a_measured");
+    for part in ["\n## Errors\n\n- EC0Y = -15 urad", "without the errors that depend on positions"] {
+        assert!(measured.contains(part), "{measured}");
+    }
+    assert!(!page("tmv710a").contains("Errors"));
+}
+
+#[test]
 fn every_machine_has_both() {
     for entry in std::fs::read_dir(machine::root().join("machines")).expect("the folder is there") {
         let path = entry.expect("readable").path();
@@ -41,5 +55,10 @@ fn every_machine_has_both() {
         let parsed: serde_json::Value = serde_json::from_str(&json::machine(&compiled.model)).expect("JSON");
         assert_eq!(parsed["axes"].as_array().expect("axes").len(), compiled.model.axes.len(), "{name}");
         assert_eq!(parsed["name"], name);
+        for (axis, told) in compiled.model.axes.iter().zip(parsed["axes"].as_array().expect("axes")) {
+            let keys = ["lock_mm", "lock_deg", "prefer_mm", "prefer_deg", "free"];
+            let is_told = keys.iter().any(|key| told.get(key).is_some());
+            assert_eq!(is_told, axis.rule != Rule::Pose, "{name}: {told}");
+        }
     }
 }

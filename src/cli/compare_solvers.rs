@@ -18,7 +18,7 @@ use super::solver::name;
 ///
 /// Each takes the machine along the toolpath, starting every point from the one before. Told are the iterations of the
 /// numeric ones, for all solutions of a point together, how exact the chosen joints are by the forward chain, points
-/// without a solution, and the time of the inverse. Times differ from run to run and machine to machine: ratios count.
+/// without a solution, and the time of the inverse. Times differ from run to run and computer to computer: ratios count.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// The machine file
@@ -86,14 +86,21 @@ fn table(machine: &str, cl: &str, compared: &Compared) -> String {
         compared.solvers.iter().map(of_solver).collect::<Vec<_>>()
     };
     let result = |of: &dyn Fn(&Measured) -> String| compared.solvers.iter().map(of).collect::<Vec<_>>();
+    let error = |of: fn(&Measured) -> f64| {
+        let of_solver = |measured: &Measured| {
+            let is_solved = measured.failures < compared.points;
+            if is_solved { format!("{:.1e}", of(measured)) } else { "-".to_owned() }
+        };
+        result(&of_solver)
+    };
     let rows = [
         ("", result(&|measured| name(measured.solver).to_owned())),
         ("iterations a point, mean", effort(&|effort| format!("{:.2}", effort.mean_iterations()))),
         ("iterations a point, most", effort(&|effort| effort.most_iterations.to_string())),
         ("steps halved", effort(&|effort| effort.bisections.to_string())),
         ("searches from the grid", effort(&|effort| effort.searches.to_string())),
-        ("largest tip error, mm", result(&|measured| format!("{:.1e}", measured.tip_mm.value))),
-        ("largest axis error, rad", result(&|measured| format!("{:.1e}", measured.axis_rad.value))),
+        ("largest tip error, mm", error(|measured| measured.tip_mm.value)),
+        ("largest axis error, rad", error(|measured| measured.axis_rad.value)),
         ("points without a solution", result(&|measured| measured.failures.to_string())),
         ("time of a pose, ns", result(&|measured| format!("{:.0}", measured.pose_ns))),
         ("times the first", result(&|measured| format!("{:.1}", ratio(measured, compared)))),

@@ -27,7 +27,7 @@ use super::solver::SolverOption;
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// FILE holds joint values instead of CL data
-    #[arg(long)]
+    #[arg(long, conflicts_with = "solver")]
     joints: bool,
     /// The machine file
     machine: String,

@@ -8,7 +8,7 @@ use crate::derive::family;
 use crate::model::errors::LocationError;
 use crate::model::machine::{Axis, Model};
 use mach_runtime::error_table::{Component, ErrorTable};
-use mach_runtime::machine::{Motion, Preference, Strictness, Travel, Written};
+use mach_runtime::machine::{Motion, Preference, Rule, Strictness, Travel, Written};
 use mach_runtime::nc::dialect::{Dialect, LengthUnit, Word};
 use nalgebra::Vector3;
 use serde::Serialize;
@@ -35,6 +35,7 @@ pub fn machine(model: &Model) -> String {
         program_zero_mm: vector(&model.zero_mm),
         axis_tolerance_rad: model.axis_tolerance_rad,
         chord_tolerance_mm: model.chord_tolerance_mm,
+        plane_tolerance_mm: model.plane_tolerance_mm,
         unknown_records: strictness(model.unknown_records),
         branch: Branch {
             start: model.branch.start.iter().map(|preference| self::preference(model, *preference)).collect(),
@@ -62,6 +63,7 @@ struct File<'a> {
     program_zero_mm: [f64; 3],
     axis_tolerance_rad: f64,
     chord_tolerance_mm: f64,
+    plane_tolerance_mm: f64,
     unknown_records: &'static str,
     branch: Branch,
     location_errors: Vec<Value>,
@@ -90,6 +92,9 @@ struct AxisEntry<'a> {
     /// The least value written, where values are written within one turn.
     #[serde(skip_serializing_if = "Option::is_none")]
     written_from_deg: Option<f64>,
+    /// Nothing where the pose decides.
+    #[serde(flatten)]
+    rule: Map<String, Value>,
 }
 
 /// Lower and upper end of the travel, and rapid traverse.
@@ -143,7 +148,20 @@ fn axis(axis: &Axis) -> AxisEntry<'_> {
             Written::Unwound => None,
             Written::Wrapped { from_deg } => Some(from_deg + 0.0),
         },
+        rule: rule(axis),
     }
+}
+
+/// As the language has it, with the unit of the value.
+fn rule(axis: &Axis) -> Map<String, Value> {
+    let at = |rule: &str, value: f64| Some((format!("{rule}_{}", axis.motion.unit()), json!(value + 0.0)));
+    let said = match axis.rule {
+        Rule::Pose => None,
+        Rule::Locked(value) => at("lock", value),
+        Rule::Preferred(value) => at("prefer", value),
+        Rule::Free => Some(("free".to_owned(), json!(true))),
+    };
+    said.into_iter().collect()
 }
 
 /// As the language has it: `nearest`, or a kind with its axis.

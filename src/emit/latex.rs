@@ -1,6 +1,7 @@
 //! The transformations of a machine as a Markdown page with LaTeX equations, for a person to read and to check by hand.
 
 use super::data_sheet;
+use super::measured;
 use super::spelling::Spelling;
 use super::transformation::{self, Inverse};
 use crate::derive::family;
@@ -19,6 +20,7 @@ pub fn equations(model: &Model, plan: &Plan) -> String {
     let title = model.title.as_ref().map(|title| format!(": {title}")).unwrap_or_default();
     let mut page = format!("# {}{title}\n\n`{}`, {}\n", model.name, data_sheet::chain(model), family::family(model));
     list(&mut page, "Axes", model.axes.iter().map(data_sheet::axis));
+    errors(&mut page, model);
     list(&mut page, "Constants", data_sheet::constants(model));
     heading(&mut page, "Forward transformation");
     write!(page, "\n{SYMBOLS}").expect("writing to a string does not fail");
@@ -26,6 +28,20 @@ pub fn equations(model: &Model, plan: &Plan) -> String {
     inverse(&mut page, transformation::inverse(model, plan, Spelling::Latex));
     list(&mut page, "Reach", data_sheet::reach(model, plan));
     page
+}
+
+/// What was measured, if anything was.
+fn errors(page: &mut String, model: &Model) {
+    let errors = measured::errors(model);
+    if errors.is_empty() {
+        return;
+    }
+    list(page, "Errors", errors);
+    if !model.errors.tables.is_empty() {
+        page.push_str(
+            "\nThe equations are without the errors that depend on positions: those are compensated around them.\n",
+        );
+    }
 }
 
 fn inverse(page: &mut String, Inverse { given, shared, solutions, linear }: Inverse) {

@@ -140,6 +140,14 @@ fn generated_c_computes_what_the_modules_of_linuxcnc_compute() {
 }
 
 #[test]
+fn errors_by_position_are_named_as_left_out() {
+    let head = |file: &str| c(&machine::compiled(file, &machine::Files)).expect("its axes are LinuxCNC's");
+    let named = "Not in here are the errors that depend on a position: EXX, EYX, EBX, EYY, EZZ, EZC, EAC.";
+    assert!(head("machines/tmv710a_measured.mach").contains(named));
+    assert!(!head("machines/tmv710a.mach").contains("Not in here"));
+}
+
+#[test]
 fn joints_that_are_no_numbers_are_refused() {
     let compiled = machine::compiled("machines/tilting_ram.mach", &machine::Files);
     let answers = answers(&compiled, "I 10 20 30 0 0 0 0 0 0\nI inf 20 30 0 0 0 0 0 0\n");
