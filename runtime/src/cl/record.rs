@@ -117,6 +117,8 @@ impl Record {
     fn clear(&mut self) {
         self.raw.clear();
         self.text.clear();
+        self.word = 0..0;
+        self.arguments.clear();
     }
 
     /// Adds a line, blanks what is not part of the record, and says whether the record ends here.
