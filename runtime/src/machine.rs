@@ -79,6 +79,17 @@ pub struct Travel {
 impl Travel {
     /// No limit at either end.
     pub const UNLIMITED: Self = Self { lower: f64::NEG_INFINITY, upper: f64::INFINITY };
+
+    /// Whether a value is inside.
+    #[inline]
+    pub fn contains(self, value: f64) -> bool {
+        self.lower <= value && value <= self.upper
+    }
+
+    /// The numbers in it: infinity is beyond every travel.
+    pub fn numbers(self) -> Self {
+        Self { lower: self.lower.max(f64::MIN), upper: self.upper.min(f64::MAX) }
+    }
 }
 
 /// What decides where an axis stands. Values are in millimetres or degrees, within its travel.

@@ -1,9 +1,9 @@
 //! Points to joints, block by block: the kinematics gives every candidate, the choice goes through them in order.
 
-use crate::branch::{Candidate, Choice, Chooser, surplus};
+use crate::branch::{Candidate, Choice, Chooser, Solutions, surplus};
 use crate::cl::event::{Approach, Point};
 use crate::compensation::Compensated;
-use crate::kinematics::{Kinematics, LANES, Lane, PoseBlock, SolutionBlock};
+use crate::kinematics::{Kinematics, LANES, Lane, PoseBlock};
 use crate::machine::Machine;
 use crate::vector::add;
 use std::ops::Range;
@@ -19,7 +19,7 @@ pub struct PathSolver<'a> {
     kinematics: Compensated<'a, &'a mut (dyn Kinematics + Send)>,
     /// The poses of the last block, in the machine frame; lanes beyond its points repeat its last point.
     poses: PoseBlock,
-    solutions: SolutionBlock,
+    solutions: Solutions,
     surplus: Surplus,
     chooser: Chooser<'a>,
 }
@@ -32,7 +32,7 @@ struct Surplus {
     lanes: Vec<Lane>,
     /// One pose with other values, a sample a lane.
     poses: PoseBlock,
-    solutions: SolutionBlock,
+    solutions: Solutions,
 }
 
 /// One solved point.
@@ -76,14 +76,13 @@ impl Solved<'_> {
 impl<'a> PathSolver<'a> {
     /// A solver at the start of a program.
     pub fn new(machine: &'a Machine, kinematics: &'a mut (dyn Kinematics + Send)) -> Self {
-        let (branches, axes) = (kinematics.branch_count(), kinematics.axis_count());
-        assert_eq!(axes, machine.axes.len(), "tables and kinematics are of one machine");
+        assert_eq!(kinematics.axis_count(), machine.axes.len(), "tables and kinematics are of one machine");
         Self {
             machine,
             poses: PoseBlock::ZERO,
-            solutions: SolutionBlock::new(branches, axes),
+            solutions: Solutions::new(kinematics),
             surplus: Surplus::new(kinematics),
-            chooser: Chooser::new(machine, branches),
+            chooser: Chooser::new(machine, kinematics),
             kinematics: Compensated::new(kinematics, machine),
         }
     }
@@ -111,7 +110,7 @@ impl<'a> PathSolver<'a> {
 
     fn invert(&mut self) {
         let Self { machine, kinematics, poses, solutions, surplus, .. } = self;
-        kinematics.inverse(poses, &surplus.lanes, machine.tool_length_mm, solutions);
+        solutions.solve(poses, &surplus.lanes, machine, kinematics);
     }
 
     /// Chooses at a point with the surplus axes where they are wanted, else with the nearest samples that have a way.
@@ -141,7 +140,7 @@ impl<'a> PathSolver<'a> {
         for block in samples.chunks(LANES) {
             let lanes = |axis| std::array::from_fn(|trial| block[trial.min(block.len() - 1)][axis]);
             let lanes: Vec<Lane> = (0..axes.len()).map(lanes).collect();
-            kinematics.inverse(&surplus.poses, &lanes, machine.tool_length_mm, &mut surplus.solutions);
+            surplus.solutions.solve(&surplus.poses, &lanes, machine, kinematics);
             let mut choices =
                 (0..block.len()).map(|trial| chooser.choose(&surplus.solutions, trial, 0..0, tip_mm, kinematics));
             if let Some(choice) = choices.find(|choice| matches!(choice, Choice::Candidate { .. })) {
@@ -178,7 +177,7 @@ impl Surplus {
             lanes: vec![[0.0; LANES]; axes.len()],
             axes,
             poses: PoseBlock::ZERO,
-            solutions: SolutionBlock::new(kinematics.branch_count(), kinematics.axis_count()),
+            solutions: Solutions::new(kinematics),
         }
     }
 

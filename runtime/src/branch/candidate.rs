@@ -17,6 +17,7 @@ pub struct Candidate {
     pub rotary_travel_deg: f64,
     /// The same if the travel's limits let each have the whole turns that are nearest.
     ideal_travel_deg: f64,
+    is_regular: bool,
 }
 
 /// An axis beyond its travel.
@@ -36,35 +37,86 @@ impl Obstacle {
     }
 }
 
+/// What the axes ask of a candidate.
+#[derive(Debug)]
+pub(super) struct Rules<'m> {
+    axes: &'m [Axis],
+    locked: Vec<(usize, f64)>,
+    rotaries: Vec<Rotary>,
+}
+
+#[derive(Debug)]
+struct Rotary {
+    axis: usize,
+    travel: Travel,
+    turns: bool,
+}
+
+impl<'m> Rules<'m> {
+    pub(super) fn of(axes: &'m [Axis]) -> Self {
+        let locked = axes.iter().enumerate().filter_map(|(index, axis)| match axis.rule {
+            Rule::Locked(value) => Some((index, value)),
+            _ => None,
+        });
+        let rotaries = axes.iter().enumerate().filter(|(_, axis)| axis.motion == Motion::Rotary);
+        let rotary = |(index, axis): (usize, &Axis)| Rotary {
+            axis: index,
+            travel: axis.travel.numbers(),
+            turns: takes_turns(axis),
+        };
+        Self { axes, locked: locked.collect(), rotaries: rotaries.map(rotary).collect() }
+    }
+}
+
+/// Whether the axis may stand elsewhere than a solution says: whole turns away.
+pub(super) fn takes_turns(axis: &Axis) -> bool {
+    axis.motion == Motion::Rotary && axis.rule == Rule::Pose
+}
+
 impl Candidate {
     pub(super) fn new(axes: usize) -> Self {
-        Self { joints: vec![0.0; axes], obstacle: None, rotary_travel_deg: 0.0, ideal_travel_deg: 0.0 }
+        let joints = vec![0.0; axes];
+        Self { joints, obstacle: None, rotary_travel_deg: 0.0, ideal_travel_deg: 0.0, is_regular: true }
     }
 
-    /// Turns the rotaries that the pose decides to where they are nearest to the previous position (to zero at the start)
-    /// within their travel, puts the locked axes where they stand, and looks for obstacles.
-    pub(super) fn settle(&mut self, axes: &[Axis], previous: Option<&[f64]>) {
-        (self.obstacle, self.rotary_travel_deg, self.ideal_travel_deg) = (None, 0.0, 0.0);
-        let Self { joints, obstacle, .. } = self;
-        for (index, (axis, joint)) in axes.iter().zip(joints).enumerate() {
-            if let Rule::Locked(value) = axis.rule {
-                *joint = value;
-            }
-            if axis.motion == Motion::Rotary {
-                let reference = previous.map_or(0.0, |previous| previous[index]);
-                let (ideal, within) = match axis.rule {
-                    Rule::Pose => turns(*joint, reference, axis.travel),
-                    _ => (*joint, *joint),
-                };
-                self.ideal_travel_deg += (ideal - reference).abs();
-                self.rotary_travel_deg += (within - reference).abs();
-                *joint = within;
-            }
-            if !is_within(*joint, axis.travel) {
-                let found = Obstacle { axis: index, beyond: beyond(*joint, axis.travel) };
-                if found.beyond > TRAVEL_TOLERANCE && obstacle.is_none_or(|known| found.outweighs(known, axes)) {
-                    *obstacle = Some(found);
+    /// Turns the rotaries that the pose decides to where they are nearest to the reference within their travel, puts the
+    /// locked axes where they stand, and looks for obstacles; `is_clear` says that there are none among the axes that take
+    /// no turns. Says whether the travel made no difference.
+    #[inline]
+    pub(super) fn settle(&mut self, rules: &Rules<'_>, reference: &[f64], mut is_clear: bool) -> bool {
+        for &(axis, value) in &rules.locked {
+            self.joints[axis] = value;
+        }
+        let (mut ideal_travel_deg, mut rotary_travel_deg) = (0.0, 0.0);
+        for Rotary { axis, travel, turns } in &rules.rotaries {
+            let (joint, reference) = (&mut self.joints[*axis], reference[*axis]);
+            let nearest = if *turns { turned(*joint, reference) } else { *joint };
+            ideal_travel_deg += (nearest - reference).abs();
+            if travel.contains(nearest) {
+                *joint = nearest;
+            } else {
+                is_clear = false;
+                if *turns {
+                    *joint = turned_within(*joint, reference, *travel);
                 }
+            }
+            rotary_travel_deg += (*joint - reference).abs();
+        }
+        (self.ideal_travel_deg, self.rotary_travel_deg) = (ideal_travel_deg, rotary_travel_deg);
+        (self.obstacle, self.is_regular) = (None, true);
+        if !is_clear {
+            self.look_for_obstacles(rules.axes);
+        }
+        is_clear
+    }
+
+    #[cold]
+    fn look_for_obstacles(&mut self, axes: &[Axis]) {
+        self.is_regular = self.joints.iter().all(|joint| joint.is_finite());
+        for (index, (axis, joint)) in axes.iter().zip(&self.joints).enumerate() {
+            let found = Obstacle { axis: index, beyond: beyond(*joint, axis.travel) };
+            if found.beyond > TRAVEL_TOLERANCE && self.obstacle.is_none_or(|known| found.outweighs(known, axes)) {
+                self.obstacle = Some(found);
             }
         }
     }
@@ -81,14 +133,8 @@ impl Candidate {
 
     /// Whether the linear axes span space there: the joints are numbers.
     pub(super) fn is_regular(&self) -> bool {
-        self.joints.iter().sum::<f64>().is_finite()
+        self.is_regular
     }
-}
-
-/// Whether a value is inside of a travel.
-#[inline]
-fn is_within(value: f64, travel: Travel) -> bool {
-    travel.lower <= value && value <= travel.upper
 }
 
 /// How far a value is outside of a travel.
@@ -96,20 +142,40 @@ fn beyond(value: f64, travel: Travel) -> f64 {
     (travel.lower - value).max(value - travel.upper).max(0.0)
 }
 
-/// The value with the whole turns nearest to the reference: at will, and within the travel.
-fn turns(value: f64, reference: f64, travel: Travel) -> (f64, f64) {
-    // The half turn is written as positive.
-    let value = if value == -180.0 { 180.0 } else { value };
-    let apart = reference - value;
-    let nearest = if apart.abs() <= 180.0 { 0.0 } else { round_to_zero(apart / 360.0) };
-    let ideal = value + 360.0 * nearest;
-    if is_within(ideal, travel) {
-        return (ideal, ideal);
+/// An angle with the whole turns nearest to the reference, all in degrees.
+#[inline]
+fn turned(angle: f64, reference: f64) -> f64 {
+    let angle = positive_half_turn(angle);
+    angle + 360.0 * nearest_turns(reference - angle)
+}
+
+/// The half turn is written as positive.
+#[inline]
+fn positive_half_turn(angle: f64) -> f64 {
+    if angle == -180.0 { 180.0 } else { angle }
+}
+
+/// The whole turns that come nearest to so many degrees, the fewer of two equally near.
+#[inline]
+fn nearest_turns(apart_deg: f64) -> f64 {
+    let size_deg = apart_deg.abs();
+    if size_deg <= 180.0 {
+        0.0
+    } else if size_deg <= 540.0 {
+        1.0_f64.copysign(apart_deg)
+    } else {
+        (size_deg / 360.0 - 0.5).ceil().copysign(apart_deg)
     }
-    let fewest = ((travel.lower - TRAVEL_TOLERANCE - value) / 360.0).ceil();
-    let most = ((travel.upper + TRAVEL_TOLERANCE - value) / 360.0).floor();
-    let within = if fewest <= most { nearest.clamp(fewest, most) } else { least_beyond(value, nearest, travel) };
-    (ideal, value + 360.0 * within)
+}
+
+/// The same within a travel; where no turns bring it there, those that bring it nearest.
+#[cold]
+fn turned_within(angle: f64, reference: f64, travel: Travel) -> f64 {
+    let angle = positive_half_turn(angle);
+    let nearest = nearest_turns(reference - angle);
+    let fewest = ((travel.lower - TRAVEL_TOLERANCE - angle) / 360.0).ceil();
+    let most = ((travel.upper + TRAVEL_TOLERANCE - angle) / 360.0).floor();
+    angle + 360.0 * if fewest <= most { nearest.clamp(fewest, most) } else { least_beyond(angle, nearest, travel) }
 }
 
 /// The whole turns that come nearest to the travel.
@@ -123,30 +189,38 @@ fn least_beyond(value: f64, nearest: f64, travel: Travel) -> f64 {
         .expect("the nearest is finite")
 }
 
-/// The nearest whole number, the one nearer to zero of two equally near.
-fn round_to_zero(x: f64) -> f64 {
-    (x.abs() - 0.5).ceil().copysign(x) + 0.0
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn whole_turns_come_near_the_reference_within_the_travel() {
-        let travel = Travel { lower: -360.0, upper: 360.0 };
-        assert_eq!(turns(-170.0, 170.0, travel), (190.0, 190.0));
-        assert_eq!(turns(10.0, 359.0, travel), (370.0, 10.0));
-        assert_eq!(turns(180.0, 0.0, travel), (180.0, 180.0));
-        assert_eq!(turns(-180.0, 0.0, travel), (180.0, 180.0));
-        assert_eq!(turns(-1e-15, 0.0, Travel { lower: 0.0, upper: 180.0 }), (-1e-15, -1e-15));
-        assert_eq!(turns(5.0, 3600.0, Travel::UNLIMITED), (3605.0, 3605.0));
+    fn whole_turns_come_near_the_reference() {
+        for (angle, reference, expected) in [
+            (-170.0, 170.0, 190.0),
+            (10.0, 359.0, 370.0),
+            (180.0, 0.0, 180.0),
+            (-180.0, 0.0, 180.0),
+            (-1e-15, 0.0, -1e-15),
+            (5.0, 3600.0, 3605.0),
+            (5.0, -545.0, -715.0),
+            (90.0, 630.0, 450.0),
+        ] {
+            assert_eq!(turned(angle, reference), expected, "{angle} near {reference}");
+        }
     }
 
     #[test]
-    fn a_value_that_no_turn_brings_into_the_travel_is_brought_nearest() {
+    fn whole_turns_stay_within_the_travel() {
+        let travel = Travel { lower: -360.0, upper: 360.0 };
+        assert_eq!(turned_within(10.0, 359.0, travel), 10.0);
+        assert_eq!(turned_within(-170.0, 170.0, travel), 190.0);
+        assert_eq!(turned_within(-1e-15, 0.0, Travel { lower: 0.0, upper: 180.0 }), -1e-15);
+    }
+
+    #[test]
+    fn an_angle_that_no_turn_brings_into_the_travel_is_brought_nearest() {
         let travel = Travel { lower: -30.0, upper: 120.0 };
-        assert_eq!(turns(-170.0, 0.0, travel).1, 190.0);
-        assert_eq!(turns(-31.0, 0.0, travel).1, -31.0);
+        assert_eq!(turned_within(-170.0, 0.0, travel), 190.0);
+        assert_eq!(turned_within(-31.0, 0.0, travel), -31.0);
     }
 }

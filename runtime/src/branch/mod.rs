@@ -2,13 +2,16 @@
 
 mod candidate;
 mod preference;
+mod solutions;
 pub(crate) mod surplus;
 
 pub use candidate::{Candidate, Obstacle};
+pub use solutions::Solutions;
 
 use crate::kinematics::{Kinematics, SolutionBlock};
 use crate::machine::Machine;
 use crate::vector::Vec3;
+use candidate::Rules;
 use std::ops::Range;
 
 /// Below this sine of the angle to the pole the first rotary is free: a few hundred roundings of a unit vector, so that
@@ -49,16 +52,30 @@ pub enum Choice {
 #[derive(Debug)]
 pub struct Chooser<'m> {
     machine: &'m Machine,
-    /// The joints of the last point that could be reached.
-    previous: Option<Vec<f64>>,
+    rules: Rules<'m>,
+    /// The axis that is free at the pole.
+    free_axis: Option<usize>,
+    /// The joints of the last point that could be reached; zeros before the first.
+    previous: Vec<f64>,
+    has_position: bool,
     candidates: Vec<Candidate>,
+    /// Whether the travel makes no difference to any of them.
+    is_unlimited: bool,
 }
 
 impl<'m> Chooser<'m> {
     /// A chooser at the start of a program.
-    pub fn new(machine: &'m Machine, branches: usize) -> Self {
-        let candidates = vec![Candidate::new(machine.axes.len()); branches];
-        Self { machine, previous: None, candidates }
+    pub fn new(machine: &'m Machine, kinematics: &dyn Kinematics) -> Self {
+        let axes = machine.axes.len();
+        Self {
+            machine,
+            rules: Rules::of(&machine.axes),
+            free_axis: kinematics.free_axis(),
+            previous: vec![0.0; axes],
+            has_position: false,
+            candidates: vec![Candidate::new(axes); kinematics.branch_count()],
+            is_unlimited: false,
+        }
     }
 
     /// The candidates of the last point, in the order of the plan's branches; about the closest that the machine can do
@@ -69,34 +86,35 @@ impl<'m> Chooser<'m> {
 
     /// Whether a position has been reached yet.
     pub fn has_position(&self) -> bool {
-        self.previous.is_some()
+        self.has_position
     }
 
     /// Where an axis is, in millimetres or degrees: at the start as near to zero as it can.
     pub fn at_rest(&self, axis: usize) -> f64 {
         let travel = self.machine.axes[axis].travel;
-        self.previous.as_ref().map_or(0.0_f64.clamp(travel.lower, travel.upper), |previous| previous[axis])
+        if self.has_position { self.previous[axis] } else { 0.0_f64.clamp(travel.lower, travel.upper) }
     }
 
     /// Chooses among the candidates of one lane, and goes there. At the pole the free axis goes where the first of the
     /// lanes `ahead` that is off the pole wants it; it stays where none is, so that an empty range keeps it still.
     pub fn choose(
         &mut self,
-        solutions: &SolutionBlock,
+        solutions: &Solutions,
         lane: usize,
         ahead: Range<usize>,
         tip_mm: Vec3,
         kinematics: &mut dyn Kinematics,
     ) -> Choice {
-        if self.is_out_of_reach(solutions, lane) {
+        let block = solutions.block();
+        if self.is_out_of_reach(block, lane) {
             self.fill(solutions, lane);
-            return Choice::OutOfReach(-solutions.reach_rad[lane]);
+            return Choice::OutOfReach(-block.reach_rad[lane]);
         }
-        if solutions.gap_mm[lane] > self.machine.plane_tolerance_mm {
+        if block.gap_mm[lane] > self.machine.plane_tolerance_mm {
             self.fill(solutions, lane);
-            return out_of_plane(solutions, lane, kinematics.free_axis().is_some());
+            return out_of_plane(block, lane, self.free_axis.is_some());
         }
-        match kinematics.free_axis().filter(|_| solutions.pole_sine[lane] < POLE_SINE) {
+        match self.free_axis.filter(|_| block.pole_sine[lane] < POLE_SINE) {
             Some(free) => {
                 let value = self.wanted_ahead(solutions, ahead, free).unwrap_or_else(|| self.at_rest(free));
                 self.fill(solutions, lane);
@@ -106,34 +124,32 @@ impl<'m> Chooser<'m> {
         }
         let choice = self.pick();
         if let Choice::Candidate { index, .. } = choice {
-            let joints = &self.candidates[index].joints;
-            match &mut self.previous {
-                Some(previous) => previous.copy_from_slice(joints),
-                None => self.previous = Some(joints.clone()),
-            }
+            self.previous.copy_from_slice(&self.candidates[index].joints);
+            self.has_position = true;
         }
         choice
     }
 
     /// The lane's candidates, each with the whole turns that come nearest to the previous point within the travel.
-    fn fill(&mut self, solutions: &SolutionBlock, lane: usize) {
-        let previous = self.previous.as_deref();
-        for (candidate, branch) in self.candidates.iter_mut().zip(&solutions.branches) {
-            for (axis, joint) in branch.iter().enumerate() {
-                candidate.joints[axis] = joint[lane];
+    fn fill(&mut self, solutions: &Solutions, lane: usize) {
+        self.is_unlimited = true;
+        for (candidate, (joints, beyond)) in self.candidates.iter_mut().zip(solutions.branches()) {
+            for (joint, lanes) in candidate.joints.iter_mut().zip(joints) {
+                *joint = lanes[lane];
             }
-            candidate.settle(&self.machine.axes, previous);
+            self.is_unlimited &= candidate.settle(&self.rules, &self.previous, beyond[lane] == 0);
         }
     }
 
-    fn is_out_of_reach(&self, solutions: &SolutionBlock, lane: usize) -> bool {
-        -solutions.reach_rad[lane] > self.machine.axis_tolerance_rad
+    fn is_out_of_reach(&self, block: &SolutionBlock, lane: usize) -> bool {
+        -block.reach_rad[lane] > self.machine.axis_tolerance_rad
     }
 
     /// Where the first lane off the pole wants the axis that is free until then.
-    fn wanted_ahead(&mut self, solutions: &SolutionBlock, mut ahead: Range<usize>, free: usize) -> Option<f64> {
-        let lane = ahead.find(|&lane| solutions.pole_sine[lane] >= POLE_SINE)?;
-        if self.is_out_of_reach(solutions, lane) || solutions.gap_mm[lane] > self.machine.plane_tolerance_mm {
+    fn wanted_ahead(&mut self, solutions: &Solutions, mut ahead: Range<usize>, free: usize) -> Option<f64> {
+        let block = solutions.block();
+        let lane = ahead.find(|&lane| block.pole_sine[lane] >= POLE_SINE)?;
+        if self.is_out_of_reach(block, lane) || block.gap_mm[lane] > self.machine.plane_tolerance_mm {
             return None;
         }
         self.fill(solutions, lane);
@@ -145,25 +161,29 @@ impl<'m> Chooser<'m> {
 
     /// Puts the axis that is free at the pole to a value; the linear axes follow.
     fn free_at_pole(&mut self, free: usize, value: f64, tip_mm: Vec3, kinematics: &mut dyn Kinematics) {
+        self.is_unlimited = false;
         for candidate in &mut self.candidates {
             candidate.joints[free] = value;
             kinematics.position(tip_mm, self.machine.tool_length_mm, &mut candidate.joints);
-            candidate.settle(&self.machine.axes, self.previous.as_deref());
+            candidate.settle(&self.rules, &self.previous, false);
         }
     }
 
     fn pick(&self) -> Choice {
         let candidates = &self.candidates;
+        let policy = &self.machine.branch;
+        let order = if self.has_position { &policy.then } else { &policy.start };
+        if self.is_unlimited {
+            return Choice::Candidate { index: preference::ideal(candidates, order), forced: false };
+        }
         if !candidates.iter().all(Candidate::is_regular) {
             return Choice::Singular;
         }
-        let policy = &self.machine.branch;
-        let order = if self.previous.is_some() { &policy.then } else { &policy.start };
         let Some(index) = preference::best(candidates, order) else {
             return Choice::OutOfTravel(self.least_beyond());
         };
         let limited = candidates.iter().any(|candidate| candidate.obstacle.is_some() || candidate.is_turned());
-        let forced = limited && (candidates[index].is_turned() || preference::ideal(candidates, order) != Some(index));
+        let forced = limited && (candidates[index].is_turned() || preference::ideal(candidates, order) != index);
         Choice::Candidate { index, forced }
     }
 
@@ -175,11 +195,11 @@ impl<'m> Chooser<'m> {
 }
 
 /// A tip that the linear axes do not reach. Only a rotary that the position decides is free anywhere on such a machine.
-fn out_of_plane(solutions: &SolutionBlock, lane: usize, turns_to_the_plane: bool) -> Choice {
-    let gap_mm = solutions.gap_mm[lane];
+fn out_of_plane(block: &SolutionBlock, lane: usize, turns_to_the_plane: bool) -> Choice {
+    let gap_mm = block.gap_mm[lane];
     if turns_to_the_plane {
         // `pole_sine` is the distance from the axis in metres.
-        Choice::InsideDeadRadius { gap_mm, radius_mm: 1000.0 * solutions.pole_sine[lane] + gap_mm }
+        Choice::InsideDeadRadius { gap_mm, radius_mm: 1000.0 * block.pole_sine[lane] + gap_mm }
     } else {
         Choice::OffPlane(gap_mm)
     }
