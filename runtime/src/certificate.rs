@@ -1,7 +1,7 @@
 //! The certificate: how close the printed program is to the CL, and how close the machine comes to its limits.
 
 use crate::machine::{Axis, Motion};
-use crate::vector::{Vec3, cross, dot, norm};
+use crate::vector::{Vec3, cross, dot, sub};
 use std::fmt;
 
 /// The largest of something, and the CL line it was met at.
@@ -103,16 +103,16 @@ impl Certificate {
         }
     }
 
-    /// A point that was printed (perhaps as nothing): the distance of its tip, and its unit axis as read back and as
-    /// wanted.
+    /// A point that was printed (perhaps as nothing), and how far what was read back is from it.
     #[inline]
-    pub(crate) fn compare(&mut self, line: u64, tip_mm: f64, axes: [Vec3; 2]) {
+    pub(crate) fn compare(&mut self, line: u64, Deviation { tip_mm_squared, sine_squared, cosine }: Deviation) {
         self.points += 1;
-        self.tip_mm.meet(tip_mm, line);
-        // An angle is at most its tangent: most points are done without an arc tangent.
-        let (sine, cosine) = (norm(cross(axes[0], axes[1])), dot(axes[0], axes[1]));
-        if self.axis_rad.line == 0 || cosine <= 0.0 || sine > self.axis_rad.value * cosine {
-            self.axis_rad.meet(libm::atan2(sine, cosine), line);
+        // Roots and arc tangents are for the few points that may be the worst; an angle is at most its tangent.
+        if self.tip_mm.line == 0 || tip_mm_squared > lower_square(self.tip_mm.value) {
+            self.tip_mm.meet(tip_mm_squared.sqrt(), line);
+        }
+        if self.axis_rad.line == 0 || cosine <= 0.0 || sine_squared > lower_square(self.axis_rad.value * cosine) {
+            self.axis_rad.meet(libm::atan2(sine_squared.sqrt(), cosine), line);
         }
     }
 
@@ -127,6 +127,36 @@ impl Certificate {
     pub(crate) fn step(&mut self, line: u64, rotary_deg: f64) {
         self.rotary_step_deg.meet(rotary_deg, line);
     }
+}
+
+/// How far a pose is from the wanted one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Deviation {
+    /// The square of the distance of the tips, in mm².
+    pub(crate) tip_mm_squared: f64,
+    /// The square of the sine of the angle between the axes.
+    pub(crate) sine_squared: f64,
+    /// The cosine of that angle.
+    pub(crate) cosine: f64,
+}
+
+impl Deviation {
+    /// From where a tip and a unit axis should be to where they are.
+    #[inline]
+    pub(crate) fn new(wanted: [Vec3; 2], found: [Vec3; 2]) -> Self {
+        let [apart_mm, normal] = [sub(found[0], wanted[0]), cross(found[1], wanted[1])];
+        Self {
+            tip_mm_squared: dot(apart_mm, apart_mm),
+            sine_squared: dot(normal, normal),
+            cosine: dot(found[1], wanted[1]),
+        }
+    }
+}
+
+/// A little less than the square, so that no root above the value has a square below it, whatever rounding does.
+#[inline]
+fn lower_square(value: f64) -> f64 {
+    (1.0 - 8.0 * f64::EPSILON) * (value * value)
 }
 
 impl fmt::Display for Certificate {

@@ -44,6 +44,27 @@ impl PoseBlock {
 /// Joint values: `joints[a][l]` is axis `a` of lane `l`, in millimetres or degrees, machine coordinates.
 pub type JointBlock = Vec<Lane>;
 
+/// The joints of a block whose number of axes is known.
+///
+/// # Panics
+/// When the block is of another number of axes.
+#[inline]
+pub fn joint_lanes<const AXES: usize>(joints: &JointBlock) -> &[Lane; AXES] {
+    joints.as_slice().try_into().expect("a block has a lane for each axis")
+}
+
+/// The same for each candidate.
+///
+/// # Panics
+/// When the blocks are of another number of candidates or axes.
+#[inline]
+pub fn candidate_lanes<const AXES: usize, const COUNT: usize>(
+    branches: &mut [JointBlock],
+) -> [&mut [Lane; AXES]; COUNT] {
+    let branches: &mut [JointBlock; COUNT] = branches.try_into().expect("there is a block for each candidate");
+    branches.each_mut().map(|joints| joints.as_mut_slice().try_into().expect("a block has a lane for each axis"))
+}
+
 /// The candidates of a block.
 #[derive(Debug, Clone)]
 pub struct SolutionBlock {

@@ -101,9 +101,7 @@ impl<'a> PathSolver<'a> {
             let is_first = !self.chooser.has_position();
             let in_cut = !is_first && matches!(point.approach, Approach::Feed(_));
             let ahead = if in_cut { 0..0 } else { lane + 1..points.len() };
-            let before = self.at_rest();
-            let choice = self.choose(lane, ahead);
-            let jump = if is_first { None } else { self.jump(&before) };
+            let (choice, jump) = self.choose(lane, ahead);
             each(&Solved { point, lane, choice, candidates: self.chooser.candidates(), is_first, jump });
         }
     }
@@ -113,8 +111,19 @@ impl<'a> PathSolver<'a> {
         solutions.solve(poses, &surplus.lanes, machine, kinematics);
     }
 
-    /// Chooses at a point with the surplus axes where they are wanted, else with the nearest samples that have a way.
-    fn choose(&mut self, lane: usize, ahead: Range<usize>) -> Choice {
+    /// Chooses at a point, and says which of the surplus axes jumps there.
+    fn choose(&mut self, lane: usize, ahead: Range<usize>) -> (Choice, Option<Jump>) {
+        if self.surplus.axes.is_empty() {
+            let tip_mm = self.poses.tip(lane);
+            return (self.chooser.choose(&self.solutions, lane, ahead, tip_mm, &mut self.kinematics), None);
+        }
+        let (is_first, before) = (!self.chooser.has_position(), self.at_rest());
+        let choice = self.choose_with_surplus(lane, ahead);
+        (choice, if is_first { None } else { self.jump(&before) })
+    }
+
+    /// Chooses with the surplus axes where they are wanted, else with the nearest samples that have a way.
+    fn choose_with_surplus(&mut self, lane: usize, ahead: Range<usize>) -> Choice {
         let wanted = self.wanted();
         if self.surplus.values != wanted {
             self.surplus.set(wanted);
@@ -122,7 +131,7 @@ impl<'a> PathSolver<'a> {
         }
         let tip_mm = self.poses.tip(lane);
         let choice = self.chooser.choose(&self.solutions, lane, ahead, tip_mm, &mut self.kinematics);
-        if self.surplus.axes.is_empty() || matches!(choice, Choice::Candidate { .. }) {
+        if matches!(choice, Choice::Candidate { .. }) {
             return choice;
         }
         // Without a way at all, what is told is told of the wanted values.

@@ -2,12 +2,12 @@
 
 use super::Job;
 use super::stretch::{PrintedPoint, Stretch};
-use crate::certificate::Certificate;
+use crate::certificate::{Certificate, Deviation};
 use crate::cl::event::Point;
 use crate::compensation::Compensated;
 use crate::kinematics::{JointBlock, Kinematics, LANES, PoseBlock};
 use crate::readback::ReadBack;
-use crate::vector::{add, norm, sub};
+use crate::vector::add;
 use std::io::{self, Write};
 
 /// Checks a program as it comes.
@@ -20,6 +20,8 @@ pub(super) struct Checker<'a, K> {
     /// What the text of a block of points says, and where that takes the tool.
     joints: JointBlock,
     poses: PoseBlock,
+    /// Where the CL wants it.
+    wanted: PoseBlock,
     /// The joints of one point.
     joint_values: Vec<f64>,
 }
@@ -35,6 +37,7 @@ impl<'a, K: Kinematics> Checker<'a, K> {
             certificate: Certificate::new(axes),
             joints: vec![[0.0; LANES]; axes.len()],
             poses: PoseBlock::ZERO,
+            wanted: PoseBlock::ZERO,
             joint_values: vec![0.0; axes.len()],
         }
     }
@@ -84,12 +87,21 @@ impl<'a, K: Kinematics> Checker<'a, K> {
 
     /// Compares where the text takes the tool with where the CL wants it.
     fn compare(&mut self, printed: &[PrintedPoint], points: &[Point]) {
-        let Self { job: Job { machine, .. }, kinematics, certificate, joints, poses, .. } = self;
+        let Self { job: Job { machine, .. }, kinematics, certificate, joints, poses, wanted, .. } = self;
         kinematics.forward(joints, machine.tool_length_mm, poses);
         for (lane, printed) in printed.iter().enumerate() {
-            let point = &points[printed.point];
-            let tip_mm = norm(sub(poses.tip(lane), add(point.tip_mm, machine.zero_mm)));
-            certificate.compare(point.line, tip_mm, [poses.axis(lane), point.axis]);
+            let Point { tip_mm, axis, .. } = points[printed.point];
+            wanted.set(lane, add(tip_mm, machine.zero_mm), axis);
+        }
+        let deviations = deviations(wanted, poses);
+        for (printed, deviation) in printed.iter().zip(deviations) {
+            certificate.compare(points[printed.point].line, deviation);
         }
     }
+}
+
+/// In a loop of its own, which the processor's vector registers do.
+fn deviations(wanted: &PoseBlock, found: &PoseBlock) -> [Deviation; LANES] {
+    let pose = |block: &PoseBlock, lane: usize| [block.tip(lane), block.axis(lane)];
+    std::array::from_fn(|lane| Deviation::new(pose(wanted, lane), pose(found, lane)))
 }

@@ -48,7 +48,7 @@ fn header(compiled: &Compiled) -> String {
 #![forbid(unsafe_code)]
 #![allow(unreachable_pub, clippy::approx_constant, clippy::needless_range_loop)]
 
-{uses_errors}use mach_runtime::kinematics::{{JointBlock, Kinematics, LANES, Lane, PoseBlock, SolutionBlock}};
+{uses_errors}use mach_runtime::kinematics::*;
 use mach_runtime::machine::*;
 {uses_dialect}use mach_runtime::vector::Vec3;
 ",
@@ -77,9 +77,10 @@ impl Kinematics for Solver {{
     fn free_axis(&self) -> Option<usize> {{ {free_axis} }}
 
 {surplus_axes}    fn inverse(&mut self, poses: &PoseBlock, {surplus_lanes}: &[Lane], tool_length_mm: f64, out: &mut SolutionBlock) {{
+        let mut candidates = candidate_lanes::<{axes}, {branches}>(&mut out.branches);
         for lane in 0..LANES {{
             let found = inverse(poses.tip(lane), poses.axis(lane), tool_length_mm{surplus_joints});
-            for (lanes, joints) in out.branches.iter_mut().zip(found.joints) {{
+            for (lanes, joints) in candidates.iter_mut().zip(found.joints) {{
                 for (lanes, joint) in lanes.iter_mut().zip(joints) {{
                     lanes[lane] = joint;
                 }}{surplus_copies}
@@ -95,8 +96,9 @@ impl Kinematics for Solver {{
     }}
 
     fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {{
+        let joints = joint_lanes(joints);
         for lane in 0..LANES {{
-            let (tip, axis) = forward(std::array::from_fn(|axis| joints[axis][lane]), tool_length_mm);
+            let (tip, axis) = forward(joints.each_ref().map(|joint| joint[lane]), tool_length_mm);
             out.set(lane, tip, axis);
         }}
     }}
@@ -134,8 +136,9 @@ fn surplus_copies(surplus: &[usize]) -> String {
 /// The method of a machine with error tables.
 const FORWARD_ACTUAL: &str = "
     fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool_length_mm: f64, out: &mut PoseBlock) {
+        let joints = joint_lanes(joints);
         for lane in 0..LANES {
-            let joints = std::array::from_fn(|axis| joints[axis][lane]);
+            let joints = joints.each_ref().map(|joint| joint[lane]);
             let deviations = std::array::from_fn(|error| deviations[error][lane]);
             let (tip, axis) = forward_actual(joints, tool_length_mm, deviations);
             out.set(lane, tip, axis);

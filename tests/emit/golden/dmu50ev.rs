@@ -7,9 +7,7 @@
 #![forbid(unsafe_code)]
 #![allow(unreachable_pub, clippy::approx_constant, clippy::needless_range_loop)]
 
-use mach_runtime::kinematics::{
-    JointBlock, Kinematics, LANES, Lane, PoseBlock, SolutionBlock,
-};
+use mach_runtime::kinematics::*;
 use mach_runtime::machine::*;
 use mach_runtime::nc::dialect::*;
 use mach_runtime::vector::Vec3;
@@ -38,9 +36,10 @@ impl Kinematics for Solver {
         tool_length_mm: f64,
         out: &mut SolutionBlock,
     ) {
+        let mut candidates = candidate_lanes::<5, 2>(&mut out.branches);
         for lane in 0..LANES {
             let found = inverse(poses.tip(lane), poses.axis(lane), tool_length_mm);
-            for (lanes, joints) in out.branches.iter_mut().zip(found.joints) {
+            for (lanes, joints) in candidates.iter_mut().zip(found.joints) {
                 for (lanes, joint) in lanes.iter_mut().zip(joints) {
                     lanes[lane] = joint;
                 }
@@ -65,9 +64,10 @@ impl Kinematics for Solver {
         tool_length_mm: f64,
         out: &mut PoseBlock,
     ) {
+        let joints = joint_lanes(joints);
         for lane in 0..LANES {
             let (tip, axis) = forward(
-                std::array::from_fn(|axis| joints[axis][lane]),
+                joints.each_ref().map(|joint| joint[lane]),
                 tool_length_mm,
             );
             out.set(lane, tip, axis);
