@@ -1,5 +1,6 @@
 //! One solution of the inverse, with whole turns chosen and the travel looked at.
 
+use crate::kinematics::Lane;
 use crate::machine::{Axis, Motion, Rule, Travel};
 
 /// How far beyond its travel an axis may stand, in mm or degrees, before it counts as beyond: far above what rounding
@@ -79,40 +80,57 @@ impl Candidate {
         Self { joints, obstacle: None, rotary_travel_deg: 0.0, ideal_travel_deg: 0.0, is_regular: true }
     }
 
-    /// Turns the rotaries that the pose decides to where they are nearest to the reference within their travel, puts the
-    /// locked axes where they stand, and looks for obstacles; `is_clear` says that there are none among the axes that take
-    /// no turns. Says whether the travel made no difference.
+    /// Takes over what a solution says in one lane.
     #[inline]
-    pub(super) fn settle(&mut self, rules: &Rules<'_>, reference: &[f64], mut is_clear: bool) -> bool {
-        for &(axis, value) in &rules.locked {
-            self.joints[axis] = value;
+    pub(super) fn load(&mut self, solution: &[Lane], lane: usize) {
+        for (joint, lanes) in self.joints.iter_mut().zip(solution) {
+            *joint = lanes[lane];
         }
-        let (mut ideal_travel_deg, mut rotary_travel_deg) = (0.0, 0.0);
+    }
+
+    /// Puts the locked axes where they stand, and turns the rotaries that the pose decides to where they are nearest to the
+    /// reference. False where that is not within their travel: then the candidate has to be settled within it.
+    #[inline]
+    pub(super) fn settle_freely(&mut self, rules: &Rules<'_>, reference: &[f64]) -> bool {
+        let (mut travel_deg, mut is_within) = (0.0, true);
+        self.lock(rules);
+        for Rotary { axis, travel, turns } in &rules.rotaries {
+            let (joint, reference) = (&mut self.joints[*axis], reference[*axis]);
+            *joint = if *turns { turned(*joint, reference) } else { *joint };
+            travel_deg += (*joint - reference).abs();
+            is_within &= travel.contains(*joint);
+        }
+        (self.ideal_travel_deg, self.rotary_travel_deg) = (travel_deg, travel_deg);
+        (self.obstacle, self.is_regular) = (None, true);
+        is_within
+    }
+
+    /// The same for the nearest to the reference that is within the travel; then looks for obstacles.
+    #[cold]
+    pub(super) fn settle_within_travel(&mut self, rules: &Rules<'_>, reference: &[f64]) {
+        self.lock(rules);
+        (self.ideal_travel_deg, self.rotary_travel_deg) = (0.0, 0.0);
         for Rotary { axis, travel, turns } in &rules.rotaries {
             let (joint, reference) = (&mut self.joints[*axis], reference[*axis]);
             let nearest = if *turns { turned(*joint, reference) } else { *joint };
-            ideal_travel_deg += (nearest - reference).abs();
-            if travel.contains(nearest) {
-                *joint = nearest;
-            } else {
-                is_clear = false;
-                if *turns {
-                    *joint = turned_within(*joint, reference, *travel);
-                }
-            }
-            rotary_travel_deg += (*joint - reference).abs();
+            *joint =
+                if *turns && !travel.contains(nearest) { turned_within(*joint, reference, *travel) } else { nearest };
+            self.ideal_travel_deg += (nearest - reference).abs();
+            self.rotary_travel_deg += (*joint - reference).abs();
         }
-        (self.ideal_travel_deg, self.rotary_travel_deg) = (ideal_travel_deg, rotary_travel_deg);
-        (self.obstacle, self.is_regular) = (None, true);
-        if !is_clear {
-            self.look_for_obstacles(rules.axes);
-        }
-        is_clear
+        self.is_regular = self.joints.iter().all(|joint| joint.is_finite());
+        self.look_for_obstacles(rules.axes);
     }
 
-    #[cold]
+    #[inline]
+    fn lock(&mut self, rules: &Rules<'_>) {
+        for &(axis, value) in &rules.locked {
+            self.joints[axis] = value;
+        }
+    }
+
     fn look_for_obstacles(&mut self, axes: &[Axis]) {
-        self.is_regular = self.joints.iter().all(|joint| joint.is_finite());
+        self.obstacle = None;
         for (index, (axis, joint)) in axes.iter().zip(&self.joints).enumerate() {
             let found = Obstacle { axis: index, beyond: beyond(*joint, axis.travel) };
             if found.beyond > TRAVEL_TOLERANCE && self.obstacle.is_none_or(|known| found.outweighs(known, axes)) {
@@ -168,8 +186,7 @@ fn nearest_turns(apart_deg: f64) -> f64 {
     }
 }
 
-/// The same within a travel; where no turns bring it there, those that bring it nearest.
-#[cold]
+/// The same within a travel that the nearest turns leave; where no turns bring it there, those that bring it nearest.
 fn turned_within(angle: f64, reference: f64, travel: Travel) -> f64 {
     let angle = positive_half_turn(angle);
     let nearest = nearest_turns(reference - angle);

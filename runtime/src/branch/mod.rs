@@ -9,7 +9,7 @@ pub use candidate::{Candidate, Obstacle};
 pub use solutions::Solutions;
 
 use crate::kinematics::{Kinematics, SolutionBlock};
-use crate::machine::Machine;
+use crate::machine::{Machine, Preference};
 use crate::vector::Vec3;
 use candidate::Rules;
 use std::ops::Range;
@@ -53,6 +53,9 @@ pub enum Choice {
 pub struct Chooser<'m> {
     machine: &'m Machine,
     rules: Rules<'m>,
+    /// The preferences at the first point of a program, and at every further one.
+    start: Vec<Preference>,
+    then: Vec<Preference>,
     /// The axis that is free at the pole.
     free_axis: Option<usize>,
     /// The joints of the last point that could be reached; zeros before the first.
@@ -70,6 +73,8 @@ impl<'m> Chooser<'m> {
         Self {
             machine,
             rules: Rules::of(&machine.axes),
+            start: preference::complete(&machine.branch.start),
+            then: preference::complete(&machine.branch.then),
             free_axis: kinematics.free_axis(),
             previous: vec![0.0; axes],
             has_position: false,
@@ -134,10 +139,12 @@ impl<'m> Chooser<'m> {
     fn fill(&mut self, solutions: &Solutions, lane: usize) {
         self.is_unlimited = true;
         for (candidate, (joints, beyond)) in self.candidates.iter_mut().zip(solutions.branches()) {
-            for (joint, lanes) in candidate.joints.iter_mut().zip(joints) {
-                *joint = lanes[lane];
+            candidate.load(joints, lane);
+            if beyond[lane] != 0 || !candidate.settle_freely(&self.rules, &self.previous) {
+                self.is_unlimited = false;
+                candidate.load(joints, lane);
+                candidate.settle_within_travel(&self.rules, &self.previous);
             }
-            self.is_unlimited &= candidate.settle(&self.rules, &self.previous, beyond[lane] == 0);
         }
     }
 
@@ -165,14 +172,13 @@ impl<'m> Chooser<'m> {
         for candidate in &mut self.candidates {
             candidate.joints[free] = value;
             kinematics.position(tip_mm, self.machine.tool_length_mm, &mut candidate.joints);
-            candidate.settle(&self.rules, &self.previous, false);
+            candidate.settle_within_travel(&self.rules, &self.previous);
         }
     }
 
     fn pick(&self) -> Choice {
         let candidates = &self.candidates;
-        let policy = &self.machine.branch;
-        let order = if self.has_position { &policy.then } else { &policy.start };
+        let order = if self.has_position { &self.then } else { &self.start };
         if self.is_unlimited {
             return Choice::Candidate { index: preference::ideal(candidates, order), forced: false };
         }

@@ -6,6 +6,12 @@ use crate::machine::Preference;
 /// Angles that differ by less than this, in degrees, are equal to a preference: rounding must not decide.
 const TIE_DEG: f64 = 1e-9;
 
+/// The list with what decides where it leaves a choice open: the least rotary travel.
+pub(super) fn complete(order: &[Preference]) -> Vec<Preference> {
+    let is_last = order.last() == Some(&Preference::Nearest);
+    order.iter().copied().chain((!is_last).then_some(Preference::Nearest)).collect()
+}
+
 /// The index of the best of the admissible candidates, where one is.
 pub(super) fn best(candidates: &[Candidate], order: &[Preference]) -> Option<usize> {
     let mut admissible = (0..candidates.len()).filter(|&index| candidates[index].obstacle.is_none());
@@ -22,7 +28,7 @@ pub(super) fn ideal(candidates: &[Candidate], order: &[Preference]) -> usize {
     (1..candidates.len()).fold(0, |best, index| better(candidates, best, index, order, Candidate::ideal_travel_deg))
 }
 
-/// Which of two, by the first preference that sees a difference. What the list leaves open, the least rotary travel decides.
+/// Which of two, by the first preference that sees a difference; the first of the two if none does.
 #[inline]
 fn better(
     candidates: &[Candidate],
@@ -32,7 +38,7 @@ fn better(
     travel_deg: impl Fn(&Candidate) -> f64,
 ) -> usize {
     let cost = |by, index: usize| cost(by, &candidates[index], travel_deg(&candidates[index]));
-    for &by in order.iter().chain(&[Preference::Nearest]) {
+    for &by in order {
         let saved = cost(by, best) - cost(by, index);
         if saved.abs() >= TIE_DEG {
             return if saved > 0.0 { index } else { best };
