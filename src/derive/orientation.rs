@@ -4,7 +4,7 @@ use super::Angles;
 use super::chain::{Chain, Element, Values};
 use super::symbolic::{Turn, Vector, as_constant, constant, cross, dot, norm};
 use crate::model::standing::ALONG_SINE;
-use crate::plan::{Graph, Id, Op, snap};
+use crate::plan::{Graph, Id, snap};
 use nalgebra::Vector3;
 
 /// A rotary element whose value is given.
@@ -252,10 +252,7 @@ fn angle_between(graph: &mut Graph, n: Vector, u: Vector) -> (Id, Id) {
 /// The angle of a point in the plane, with sine and cosine of a true turn however short the vector is.
 pub(super) fn angle_of_point(graph: &mut Graph, y: Id, x: Id) -> Id {
     let angle = graph.atan2(y, x);
-    let (y, x) = match graph.op(angle) {
-        Op::Atan2(y, x) => (y, x),
-        _ => (y, x),
-    };
+    let (y, x) = graph.point_of_angle(angle).unwrap_or((y, x));
     let squared = graph.sum_of_products(y, y, x, x);
     let radius = graph.sqrt(squared);
     let (zero, one) = (graph.constant(0.0), graph.constant(1.0));

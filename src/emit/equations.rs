@@ -79,9 +79,10 @@ impl<'g> Notation<'g> {
     fn parts(&self, id: Id) -> Vec<Id> {
         match self.graph.op(id) {
             Op::Mul(a, b) if a == b => vec![a],
-            op => match self.half_angle(id) {
-                Some((_, angle)) => vec![angle],
-                None => op.operands().collect(),
+            op => match (self.half_angle(id), self.graph.point_of_angle(id)) {
+                (Some((_, angle)), _) => vec![angle],
+                (None, Some((y, x))) => vec![y, x],
+                (None, None) => op.operands().collect(),
             },
         }
     }
@@ -124,6 +125,9 @@ impl<'g> Notation<'g> {
         if let Some((function, angle)) = self.half_angle(id) {
             return (spelling.of_half_angle(function, &self.operand(angle, Atom)), Atom);
         }
+        if let Some((y, x)) = self.graph.point_of_angle(id) {
+            return self.function("atan2", &[y, x]);
+        }
         match self.graph.op(id) {
             Op::Constant(value) if value < 0.0 => (spelling.number(value), Sum),
             Op::Constant(value) => (spelling.number(value), Atom),
@@ -141,7 +145,7 @@ impl<'g> Notation<'g> {
             Op::Sqrt(a) => (spelling.root(&self.operand(a, Sum)), Atom),
             Op::Sin(a) => (spelling.of_angle("sin", &self.operand(a, Atom)), Atom),
             Op::Cos(a) => (spelling.of_angle("cos", &self.operand(a, Atom)), Atom),
-            Op::Atan2(a, b) => self.function("atan2", &[a, b]),
+            Op::Atan2(..) => unreachable!("every arc tangent is the angle of its point"),
             Op::Min(a, b) => self.function("min", &[a, b]),
             Op::Max(a, b) => self.function("max", &[a, b]),
             Op::Select(a, b, c) => (spelling.choice([a, b, c].map(|part| self.operand(part, Product))), Atom),

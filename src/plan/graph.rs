@@ -93,6 +93,8 @@ pub struct Graph {
     known: BTreeMap<(u8, u64, u64, u64), Id>,
     /// Angles whose sine and cosine are at hand without a trigonometric function.
     pub(super) angles: BTreeMap<Id, (Id, Id)>,
+    /// Angles that come from another one, with their points (x, y), given as (y, x).
+    pub(super) points: BTreeMap<Id, (Id, Id)>,
     /// Nodes known not to be negative.
     pub(super) nonnegative: Vec<bool>,
 }
@@ -122,9 +124,14 @@ impl Graph {
         self.nodes.is_empty()
     }
 
+    /// The node of this operation, if there is one.
+    pub(super) fn find(&self, op: Op) -> Option<Id> {
+        self.known.get(&op.key()).copied()
+    }
+
     /// The node of this operation as it stands: an old one where there is an equal one.
     pub(super) fn intern(&mut self, op: Op) -> Id {
-        if let Some(&id) = self.known.get(&op.key()) {
+        if let Some(id) = self.find(op) {
             return id;
         }
         let id = Id(u32::try_from(self.nodes.len()).expect("a plan has far fewer than 2^32 nodes"));

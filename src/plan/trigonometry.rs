@@ -99,7 +99,26 @@ impl Graph {
         let known = self.angles.iter().find(|&(_, &pair)| pair == (y, x)).map(|(&angle, _)| angle);
         match known {
             Some(angle) if self.known_nonnegative(y) => angle,
-            _ => self.intern(Op::Atan2(y, x)),
+            _ => self.half_turn_from_known(y, x).unwrap_or_else(|| self.intern(Op::Atan2(y, x))),
+        }
+    }
+
+    /// The angle of a point whose opposite has its angle already: half a turn away, without a second arc tangent.
+    fn half_turn_from_known(&mut self, y: Id, x: Id) -> Option<Id> {
+        let opposite = Op::Atan2(self.neg(y), self.neg(x));
+        let angle = self.find(opposite)?;
+        let half_turn = self.constant(std::f64::consts::PI);
+        let (less, more) = (self.sub(angle, half_turn), self.add(angle, half_turn));
+        let result = self.select(angle, less, more);
+        self.points.insert(result, (y, x));
+        Some(result)
+    }
+
+    /// The point (x, y), given as (y, x), that an angle is the angle of.
+    pub fn point_of_angle(&self, angle: Id) -> Option<(Id, Id)> {
+        match self.op(angle) {
+            Op::Atan2(y, x) => Some((y, x)),
+            _ => self.points.get(&angle).copied(),
         }
     }
 
@@ -191,5 +210,30 @@ impl Graph {
         let result = self.mul(half, angle);
         self.define_angle(result, half_sine, half_cosine);
         result
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::plan::{Graph, Op, Program};
+
+    #[test]
+    fn the_opposite_angle_is_half_a_turn_away_and_prints_as_an_arc_tangent() {
+        let mut graph = Graph::default();
+        let [y, x] = [0, 1].map(|input| graph.input(input));
+        let [minus_y, minus_x] = [y, x].map(|id| graph.neg(id));
+        let angle = graph.atan2(y, minus_x);
+        let opposite = graph.atan2(minus_y, x);
+        assert_eq!(graph.op(angle), Op::Atan2(y, minus_x));
+        assert_eq!(graph.point_of_angle(opposite), Some((minus_y, x)));
+        let mut program = Program::<1>::new(&graph, 2, &[opposite]);
+        for (y, x) in [(0.3, 0.4), (-0.3, 0.4), (0.3, -0.4), (-0.3, -0.4), (1e-20, -1.0), (0.0, -1.0)] {
+            (*program.input(0), *program.input(1)) = ([y], [x]);
+            program.run();
+            let [found] = *program.output(0);
+            let (expected, half_turn) = (libm::atan2(-y, x), std::f64::consts::PI);
+            assert!((found.abs() - expected.abs()).abs() <= f64::EPSILON * half_turn, "{y} {x}: {found}");
+            assert!(found * expected > 0.0 || found.abs() == half_turn, "{y} {x}: {found}");
+        }
     }
 }

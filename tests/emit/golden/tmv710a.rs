@@ -133,7 +133,7 @@ fn inverse(tip: [f64; 3], axis: [f64; 3], tool_length: f64) -> Solutions {
 
     // machines/tmv710a.mach:14
     // C2 = atan2(-i, j)
-    let c_2 = libm::atan2(-i, j);
+    let c_2 = if c_1 > 0.0 { c_1 - 3.141592653589793 } else { c_1 + 3.141592653589793 };
 
     // machines/tmv710a.mach:10
     // X2 = x cos C2 + y sin C2
