@@ -1,6 +1,9 @@
 //! The word of one axis: from a joint value to the whole units that are printed.
 
 use super::dialect::{LengthUnit, Word};
+use super::line::Line;
+use super::printed_word::PrintedWord;
+use super::rounding::Rounding;
 use super::write_error::WriteError;
 use crate::machine::{Axis, Motion, Retract, Written};
 
@@ -8,10 +11,12 @@ use crate::machine::{Axis, Motion, Retract, Written};
 #[derive(Debug)]
 pub struct AxisWord {
     word: Word,
+    printed: PrintedWord,
     zero: f64,
     length_share: f64,
     /// Words' units in a millimetre or a degree.
     scale: f64,
+    rounding: Rounding,
     /// The least units written, and the units of a turn.
     turn: Option<(i64, i64)>,
 }
@@ -23,14 +28,15 @@ impl AxisWord {
             (Motion::Linear, LengthUnit::Inch) => 1.0 / 25.4,
             _ => 1.0,
         };
+        let rounding = Rounding::new(&word.picture);
         let turn = match axis.written {
             Written::Wrapped { from_deg } if axis.motion == Motion::Rotary => {
-                let from = word.picture.unbounded_units(from_deg).unwrap_or(0);
-                Some((from, 360 * word.picture.units_per_one()))
+                Some((rounding.unbounded(from_deg).unwrap_or(0), 360 * word.picture.units_per_one()))
             }
             _ => None,
         };
-        Self { word: word.clone(), zero: axis.zero, length_share: axis.length_share, scale, turn }
+        let (word, printed) = (word.clone(), PrintedWord::new(word));
+        Self { word, printed, zero: axis.zero, length_share: axis.length_share, scale, rounding, turn }
     }
 
     /// The units to print for a joint value in machine coordinates. A turn is taken off after rounding, so that what
@@ -41,15 +47,18 @@ impl AxisWord {
     #[inline]
     pub fn units(&self, joint: f64, tool_length_mm: f64) -> Result<i64, WriteError> {
         let value = (joint - self.zero - self.length_share * tool_length_mm) * self.scale;
-        let picture = &self.word.picture;
-        picture
-            .unbounded_units(value)
-            .map(|units| match self.turn {
-                Some((from, turn)) if !(from..from + turn).contains(&units) => from + (units - from).rem_euclid(turn),
-                _ => units,
-            })
-            .and_then(|units| picture.fits(units))
-            .ok_or_else(|| WriteError::too_large(&self.word, value))
+        match self.rounding.unbounded(value).map(|units| self.within_turn(units)) {
+            Some(units) if self.rounding.fits(units) => Ok(units),
+            _ => Err(WriteError::too_large(&self.word, value)),
+        }
+    }
+
+    #[inline]
+    fn within_turn(&self, units: i64) -> i64 {
+        match self.turn {
+            Some((from, turn)) if !(from..from + turn).contains(&units) => from + (units - from).rem_euclid(turn),
+            _ => units,
+        }
     }
 
     /// The units to print for the way out, as the machine counts it: at the end of the travel, or just within it. Zero
@@ -81,11 +90,7 @@ impl AxisWord {
 
     /// Prints the word.
     #[inline]
-    pub(super) fn print(&self, units: i64, out: &mut Vec<u8>) {
-        match self.word.address.as_bytes() {
-            [letter] => out.push(*letter),
-            address => out.extend_from_slice(address),
-        }
-        self.word.picture.print(units, out);
+    pub(super) fn print(&self, units: i64, line: &mut Line) {
+        self.printed.print(units, line);
     }
 }

@@ -6,13 +6,14 @@
 //! prints them all. The first motion of a program and of a tool prints the block of the approach, if there is one.
 
 use super::axis_word::AxisWord;
-use super::dialect::{Block, Dialect, Line, Piece, Trigger, Value};
+use super::dialect::{Block, Dialect, Line as Template, Piece, Trigger, Value};
 use super::feed_word::{FeedMode, FeedState};
-use super::line::{Numbering, OpenLine};
+use super::line::Line;
 use super::moves::moves;
+use super::numbering::Numbering;
 pub use super::values::Values;
 use super::write_error::WriteError;
-use crate::cl::event::Approach;
+use crate::cl::event::{Approach, Feed};
 use crate::machine::{Axis, Retract};
 
 /// Prints one program.
@@ -30,37 +31,92 @@ pub struct Writer {
 #[derive(Debug)]
 struct State {
     numbering: Numbering,
+    line: Line,
     /// Each axis word's number in units of its last decimal.
-    axes: Vec<Option<i64>>,
-    /// The same for the motion being printed.
-    wanted: Vec<i64>,
+    axes: Vec<AxisState>,
+    /// Whether the control knows the axes.
+    has_axes: bool,
     /// The code in force of each modal group.
     codes: Vec<Option<usize>>,
     feed: Option<FeedState>,
     feed_mode: Option<FeedMode>,
+    /// The feed of the last motion that had one, as the CL has it and converted.
+    converted: Option<(Feed, FeedState)>,
     /// Whether the next motion is the first of the program or of its tool.
     approaching: bool,
     /// The tool's number and its length register.
     tool: (u64, u64),
 }
 
+/// The number of an axis word in units of its last decimal.
+#[derive(Debug, Clone, Copy, Default)]
+struct AxisState {
+    current: i64,
+    /// In the motion being printed.
+    wanted: i64,
+}
+
+/// The axes whose words change, as bits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Changes(u64);
+
+impl Changes {
+    fn has(self, axis: usize) -> bool {
+        self.0 >> axis & 1 != 0
+    }
+
+    /// Whether a line has axis words, and none of them changes.
+    fn leave_alone(self, line: &Template) -> bool {
+        let axes =
+            || line.pieces.iter().filter_map(|piece| if let Piece::Axes(axes) = piece { Some(axes) } else { None });
+        axes().next().is_some() && !axes().flatten().any(|axis| self.has(*axis))
+    }
+}
+
 impl State {
     /// Takes nothing for granted any more; only the kind of feed and the sequence number stay.
     fn forget(&mut self) {
-        self.axes.fill(None);
+        self.has_axes = false;
         self.codes.fill(None);
         self.feed = None;
     }
 
-    fn changes(&self, axis: usize) -> bool {
-        self.axes[axis] != Some(self.wanted[axis])
+    /// Ends the line, if there is anything in it.
+    #[inline]
+    fn finish_line(&mut self, numbered: bool, out: &mut Vec<u8>) {
+        if self.line.finish(numbered, out) && numbered {
+            self.numbering.advance();
+            self.line.put_behind(&self.numbering);
+        }
     }
 
-    /// Whether a line has axis words, and none of them changes.
-    fn stands_still(&self, line: &Line) -> bool {
-        let axes =
-            || line.pieces.iter().filter_map(|piece| if let Piece::Axes(axes) = piece { Some(axes) } else { None });
-        axes().next().is_some() && !axes().flatten().any(|axis| self.changes(*axis))
+    /// The feed of a motion, if it has one.
+    #[inline]
+    fn feed(&mut self, approach: Approach, dialect: &Dialect) -> Result<Option<FeedState>, WriteError> {
+        let Approach::Feed(Some(feed)) = approach else { return Ok(None) };
+        match self.converted {
+            Some((last, converted)) if last == feed => Ok(Some(converted)),
+            _ => self.convert(feed, dialect).map(Some),
+        }
+    }
+
+    #[cold]
+    fn convert(&mut self, feed: Feed, dialect: &Dialect) -> Result<FeedState, WriteError> {
+        let converted = FeedState::new(feed, dialect)?;
+        self.converted = Some((feed, converted));
+        Ok(converted)
+    }
+
+    /// Takes what a motion wants of the axes, and says which words that changes.
+    #[inline]
+    fn want(&mut self, axes: &[AxisWord], joints: &[f64], tool_length_mm: f64) -> Result<Changes, WriteError> {
+        let is_new = u64::from(!self.has_axes);
+        let mut changes = 0;
+        for (index, ((axis, state), joint)) in axes.iter().zip(&mut self.axes).zip(joints).enumerate() {
+            state.wanted = axis.units(*joint, tool_length_mm)?;
+            changes |= (u64::from(state.wanted != state.current) | is_new) << index;
+        }
+        Ok(Changes(changes))
     }
 }
 
@@ -68,13 +124,17 @@ impl Writer {
     /// A writer at the start of a program. `axes` are the machine's, in the order of the dialect's axis words.
     pub fn new(dialect: Dialect, axes: &[Axis]) -> Self {
         assert_eq!(dialect.axes.len(), axes.len(), "a dialect has one word for each axis of its machine");
+        assert!(axes.len() <= 64, "the axes of a machine are few");
+        let numbering = Numbering::new(dialect.sequence.clone());
         let state = State {
-            numbering: Numbering::new(dialect.sequence.clone()),
-            axes: vec![None; axes.len()],
-            wanted: vec![0; axes.len()],
+            line: Line::new(&numbering),
+            numbering,
+            axes: vec![AxisState::default(); axes.len()],
+            has_axes: false,
             codes: vec![None; dialect.modal_groups.len()],
             feed: None,
             feed_mode: None,
+            converted: None,
             approaching: true,
             tool: (0, 0),
         };
@@ -94,43 +154,32 @@ impl Writer {
     /// # Errors
     /// When the controller has no such block, or a value cannot be printed; `out` is then as it was.
     pub fn command(&mut self, trigger: Trigger, values: &Values<'_>, out: &mut Vec<u8>) -> Result<(), WriteError> {
-        let Some(block) = self.dialect.block(trigger) else {
+        let Self { dialect, axes, retract, state, .. } = self;
+        let Some(block) = dialect.block(trigger) else {
             return if trigger.may_lack_a_block() { Ok(()) } else { Err(WriteError::NoBlock(trigger)) };
         };
         let start = out.len();
         for line in &block.lines {
-            let open = OpenLine::begin(line.numbered, &self.state.numbering, out);
+            state.line.clear();
             for piece in &line.pieces {
                 let printed = match piece {
-                    Piece::Value(Value::Retract, _) => self.print_retract(out),
-                    _ => command_piece(piece, &self.dialect, &mut self.state, values, open, out),
+                    Piece::Value(Value::Retract, _) => print_retract(dialect, axes, *retract, &mut state.line),
+                    _ => command_piece(piece, dialect, state, values),
                 };
                 if let Err(error) = printed {
                     out.truncate(start);
                     return Err(error);
                 }
             }
-            open.end(&mut self.state.numbering, out);
+            state.finish_line(line.numbered, out);
         }
         if trigger == Trigger::Tool {
-            self.state.approaching = true;
-            self.state.tool = (values.tool, values.register);
+            state.approaching = true;
+            state.tool = (values.tool, values.register);
         }
-        if trigger == Trigger::Tool || moves(block, &self.dialect) {
-            self.state.forget();
+        if trigger == Trigger::Tool || moves(block, dialect) {
+            state.forget();
         }
-        Ok(())
-    }
-
-    /// Prints the word that takes the tool to its way out.
-    fn print_retract(&self, out: &mut Vec<u8>) -> Result<(), WriteError> {
-        if let Some(text) = &self.dialect.retract {
-            out.extend_from_slice(text.as_bytes());
-            return Ok(());
-        }
-        let retract = self.retract.expect("some axis of a checked machine moves along its tool");
-        let axis = &self.axes[retract.axis];
-        axis.print(axis.retract_units(&retract)?, out);
         Ok(())
     }
 
@@ -146,38 +195,49 @@ impl Writer {
         tool_length_mm: f64,
         out: &mut Vec<u8>,
     ) -> Result<(), WriteError> {
-        let feed = match approach {
-            Approach::Rapid | Approach::Feed(None) => None,
-            Approach::Feed(Some(feed)) => Some(FeedState::new(feed, &self.dialect)?),
-        };
-        let block = motion_block(&self.dialect, &self.blocks, approach, self.state.approaching)?;
-        let state = &mut self.state;
-        for ((axis, joint), wanted) in self.axes.iter().zip(joints).zip(&mut state.wanted) {
-            *wanted = axis.units(*joint, tool_length_mm)?;
-        }
-        if state.wanted.iter().zip(&state.axes).all(|(wanted, current)| *current == Some(*wanted)) {
+        let Self { dialect, blocks, axes, state, .. } = self;
+        let feed = state.feed(approach, dialect)?;
+        let block = motion_block(dialect, blocks, approach, state.approaching)?;
+        let changes = state.want(axes, joints, tool_length_mm)?;
+        if changes == Changes(0) {
             return Ok(());
         }
         state.approaching = false;
         let start = out.len();
         for line in &block.lines {
-            if block.lines.len() > 1 && state.stands_still(line) {
+            if block.lines.len() > 1 && changes.leave_alone(line) {
                 continue;
             }
-            let open = OpenLine::begin(line.numbered, &state.numbering, out);
+            state.line.clear();
             for piece in &line.pieces {
-                if let Err(error) = motion_piece(piece, &self.dialect, &self.axes, state, feed, open, out) {
+                if let Err(error) = motion_piece(piece, dialect, axes, state, changes, feed) {
                     out.truncate(start);
                     return Err(error);
                 }
             }
-            open.end(&mut state.numbering, out);
+            state.finish_line(line.numbered, out);
         }
-        for (current, wanted) in state.axes.iter_mut().zip(&state.wanted) {
-            *current = Some(*wanted);
-        }
+        state.axes.iter_mut().for_each(|axis| axis.current = axis.wanted);
+        state.has_axes = true;
         Ok(())
     }
+}
+
+/// Prints the word that takes the tool to its way out.
+fn print_retract(
+    dialect: &Dialect,
+    axes: &[AxisWord],
+    retract: Option<Retract>,
+    line: &mut Line,
+) -> Result<(), WriteError> {
+    if let Some(text) = &dialect.retract {
+        line.text(text);
+        return Ok(());
+    }
+    let retract = retract.expect("some axis of a checked machine moves along its tool");
+    let axis = &axes[retract.axis];
+    axis.print(axis.retract_units(&retract)?, line);
+    Ok(())
 }
 
 /// The block of a motion: that of the approach for a first one, where the controller has it.
@@ -203,89 +263,84 @@ fn motion_piece(
     dialect: &Dialect,
     axes: &[AxisWord],
     state: &mut State,
+    changes: Changes,
     feed: Option<FeedState>,
-    open: OpenLine,
-    out: &mut Vec<u8>,
 ) -> Result<(), WriteError> {
     match piece {
-        Piece::Text(text) => open.text(text, out),
+        Piece::Text(text) => state.line.template(text),
         Piece::Modal { group, code } => {
             if state.codes[*group].replace(*code) != Some(*code) {
-                out.extend_from_slice(dialect.modal_groups[*group][*code].as_bytes());
+                state.line.text(&dialect.modal_groups[*group][*code]);
             }
         }
-        Piece::Axes(indices) => print_axes(indices, axes, state, out),
+        Piece::Axes(indices) => print_axes(indices, axes, state, changes),
         Piece::Feed => {
             if let Some(feed) = feed
                 && state.feed.replace(feed) != Some(feed)
             {
-                print_feed(feed, dialect, state, out);
+                print_feed(feed, dialect, state);
             }
         }
         Piece::Value(Value::FeedMode, _) => {
             let mode = feed.map(|feed| feed.mode).or(state.feed_mode).unwrap_or(FeedMode::PerMinute);
-            print_feed_mode(mode, dialect, state, out);
+            print_feed_mode(mode, dialect, state);
         }
         Piece::Value(value, picture) => {
             let (tool, register) = state.tool;
             let values = Values { tool, register, ..Values::default() };
-            return values.print(*value, picture.as_ref(), dialect, out);
+            return state.line.print(|bytes| values.print(*value, picture.as_ref(), dialect, bytes));
         }
     }
     Ok(())
 }
 
 /// Prints the words of these axes that change, a blank between them.
-fn print_axes(indices: &[usize], axes: &[AxisWord], state: &State, out: &mut Vec<u8>) {
-    let start = out.len();
+#[inline]
+fn print_axes(indices: &[usize], axes: &[AxisWord], state: &mut State, changes: Changes) {
+    let start = state.line.len();
     for &index in indices {
-        if state.changes(index) {
-            if out.len() > start {
-                out.push(b' ');
+        if changes.has(index) {
+            if state.line.len() > start {
+                state.line.byte(b' ');
             }
-            axes[index].print(state.wanted[index], out);
+            axes[index].print(state.axes[index].wanted, &mut state.line);
         }
     }
 }
 
 /// Prints the code of the feed's kind, if it changes, and the feed word.
-fn print_feed(feed: FeedState, dialect: &Dialect, state: &mut State, out: &mut Vec<u8>) {
-    let start = out.len();
-    print_feed_mode(feed.mode, dialect, state, out);
-    if out.len() > start {
-        out.push(b' ');
+fn print_feed(feed: FeedState, dialect: &Dialect, state: &mut State) {
+    let start = state.line.len();
+    print_feed_mode(feed.mode, dialect, state);
+    if state.line.len() > start {
+        state.line.byte(b' ');
     }
-    feed.print(dialect, out);
+    feed.print(dialect, &mut state.line);
 }
 
 /// Prints the code of the feed's kind, if it changes.
-fn print_feed_mode(mode: FeedMode, dialect: &Dialect, state: &mut State, out: &mut Vec<u8>) {
+fn print_feed_mode(mode: FeedMode, dialect: &Dialect, state: &mut State) {
     if state.feed_mode.replace(mode) != Some(mode) {
-        out.extend_from_slice(mode.code(dialect).as_bytes());
+        state.line.text(mode.code(dialect));
     }
 }
 
 /// Prints a piece of a command's line.
-fn command_piece(
-    piece: &Piece,
-    dialect: &Dialect,
-    state: &mut State,
-    values: &Values<'_>,
-    open: OpenLine,
-    out: &mut Vec<u8>,
-) -> Result<(), WriteError> {
+fn command_piece(piece: &Piece, dialect: &Dialect, state: &mut State, values: &Values<'_>) -> Result<(), WriteError> {
     match piece {
-        Piece::Text(text) => open.text(text, out),
+        Piece::Text(text) => state.line.template(text),
         Piece::Modal { group, code } => {
             state.codes[*group] = Some(*code);
-            out.extend_from_slice(dialect.modal_groups[*group][*code].as_bytes());
+            state.line.text(&dialect.modal_groups[*group][*code]);
         }
         Piece::Axes(_) | Piece::Feed => {} // a command moves nothing
         Piece::Value(Value::FeedMode, _) => {
             let mode = *state.feed_mode.get_or_insert(FeedMode::PerMinute);
-            out.extend_from_slice(mode.code(dialect).as_bytes());
+            state.line.text(mode.code(dialect));
         }
-        Piece::Value(value, picture) => values.print(*value, picture.as_ref(), dialect, out)?,
+        Piece::Value(value, picture) => {
+            return state.line.print(|bytes| values.print(*value, picture.as_ref(), dialect, bytes));
+        }
     }
     Ok(())
 }

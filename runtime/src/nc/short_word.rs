@@ -1,0 +1,171 @@
+//! Words whose number has at most eight digits, compiled: nearly all of a program.
+//!
+//! Eight digits are the bytes of one machine word. Zeros at both ends are counted by its zero bits, and each part of a
+//! word is stored with all of its eight bytes, the next part over those that do not count: no loop, and no branch that
+//! depends on digits. [`Picture::print`] prints all other numbers, and these the same way.
+
+use super::dialect::{Picture, Point};
+
+/// So many bytes are written for a word, whatever its length; a blank behind it has room, too.
+pub(super) const ROOM: usize = 32;
+
+/// An address and a picture, ready to print numbers of one to eight digits.
+#[derive(Debug)]
+pub(super) struct ShortWord {
+    /// The address, and the sign of a number above zero and of one below.
+    heads: [Head; 2],
+    /// How many of the eight digits stand before the point.
+    point: usize,
+    /// How many zeros in front may be left out.
+    most_left_out: u32,
+    /// How many digits are printed at least, counted from the first of the eight.
+    end_least: u32,
+    /// Digits printed up to here or less have no point behind them.
+    pointless_end: u32,
+    /// How many bits of the digits stand before the last one in front of the point.
+    before_tail: u32,
+}
+
+/// What stands before the digits.
+#[derive(Debug)]
+struct Head {
+    text: u64,
+    length: usize,
+}
+
+impl Head {
+    /// An address and a sign; none where they are more than eight bytes.
+    fn new(address: &str, sign: &str) -> Option<Self> {
+        let length = address.len() + sign.len();
+        let mut text = [0; 8];
+        for (place, byte) in text.get_mut(..length)?.iter_mut().zip(address.bytes().chain(sign.bytes())) {
+            *place = byte;
+        }
+        Some(Self { text: u64::from_le_bytes(text), length })
+    }
+}
+
+impl ShortWord {
+    /// The first number with more digits.
+    const LIMIT: u64 = 100_000_000;
+
+    /// Compiles a word; none for a long address, and for a picture that needs more than eight digits or puts the point
+    /// elsewhere.
+    pub(super) fn new(address: &str, picture: &Picture) -> Option<Self> {
+        let Picture { decimals, decimals_least, .. } = *picture;
+        let point = 8_u8.checked_sub(decimals).filter(|point| *point > 0)?;
+        let pointless_end = match picture.point {
+            Point::Always => point - 1,
+            Point::Needed => point,
+            Point::Never if decimals == 0 => point,
+            Point::Never => return None,
+        };
+        let plus = if picture.plus { "+" } else { "" };
+        Some(Self {
+            heads: [Head::new(address, plus)?, Head::new(address, "-")?],
+            point: usize::from(point),
+            most_left_out: u32::from(point.checked_sub(picture.integer_least)?),
+            end_least: u32::from(point + decimals_least),
+            pointless_end: u32::from(pointless_end),
+            before_tail: u32::from(8 * (point - 1)),
+        })
+    }
+
+    /// Whether the number has one to eight digits.
+    #[inline]
+    pub(super) fn takes(&self, units: i64) -> bool {
+        units.unsigned_abs().wrapping_sub(1) < Self::LIMIT - 1
+    }
+
+    /// Prints the word of a number it takes, and says how long it is.
+    #[inline]
+    pub(super) fn print(&self, units: i64, room: &mut [u8; ROOM]) -> usize {
+        let digits = eight_digits(units.unsigned_abs() as u32);
+        let text = digits | u64::from_le_bytes([b'0'; 8]);
+        let left_out = (digits.trailing_zeros() / 8).min(self.most_left_out);
+        let end = (8 - digits.leading_zeros() / 8).max(self.end_least);
+        let head = &self.heads[usize::from(units < 0)];
+        put(head.text, 0, room);
+        let mut length = head.length;
+        put(text >> (8 * left_out), length, room);
+        length += self.point - left_out as usize;
+        put(text >> self.before_tail & !0xff | u64::from(b'.'), length, room);
+        length + end as usize - self.point + usize::from(end > self.pointless_end)
+    }
+}
+
+/// Stores eight bytes, the first of which is the lowest.
+#[inline]
+fn put(bytes: u64, at: usize, room: &mut [u8; ROOM]) {
+    let place = room[at..].first_chunk_mut().expect("a word of three parts has room");
+    *place = bytes.to_le_bytes();
+}
+
+/// The eight digits of a number as the bytes of a word, the first in the lowest byte: halved three times, all parts at
+/// once.
+#[inline]
+pub(super) fn eight_digits(number: u32) -> u64 {
+    let fours = u64::from(number / 10_000) | u64::from(number % 10_000) << 32;
+    let hundreds = (fours * 10_486) >> 20 & 0x0000_007f_0000_007f;
+    let twos = hundreds | (fours - 100 * hundreds) << 16;
+    let tens = (twos * 103) >> 10 & 0x000f_000f_000f_000f;
+    tens | (twos - 10 * tens) << 8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Pictures with every number of digits and least digits, and every point.
+    fn pictures() -> impl Iterator<Item = Picture> {
+        let places = (0..=9_u8).flat_map(|all| (0..=all).map(move |least| (all, least)));
+        let digits = places.clone().flat_map(move |integer| places.clone().map(move |decimals| (integer, decimals)));
+        let points = [(Point::Always, false), (Point::Needed, true), (Point::Never, false)];
+        digits.flat_map(move |(integer, decimals)| {
+            points.map(|(point, plus)| Picture {
+                plus,
+                integer_digits: integer.0,
+                integer_least: integer.1,
+                decimals: decimals.0,
+                decimals_least: decimals.1,
+                point,
+                zero: None,
+            })
+        })
+    }
+
+    /// Numbers of every length, with zeros at either end, and the first and the last of each length.
+    fn numbers() -> impl Iterator<Item = i64> {
+        let powers = (0..9).map(|n| 10_i64.pow(n));
+        let numbers = powers.flat_map(|power| [power - 1, power, power + 1, 12_345_678 / power, 7 * power]);
+        numbers.flat_map(|number| [number, -number])
+    }
+
+    #[test]
+    fn prints_what_the_picture_prints() {
+        let mut compared = 0;
+        for picture in pictures() {
+            for address in ["", "X", "C1=", "ABCDEFG"] {
+                let Some(word) = ShortWord::new(address, &picture) else { continue };
+                for units in numbers().filter(|units| word.takes(*units)) {
+                    let mut expected = address.as_bytes().to_vec();
+                    picture.print(units, &mut expected);
+                    let mut room = [0; ROOM];
+                    let length = word.print(units, &mut room);
+                    assert_eq!(room[..length], expected, "{units} by {picture:?}");
+                    compared += 1;
+                }
+            }
+        }
+        assert!(compared > 100_000, "{compared}");
+    }
+
+    #[test]
+    fn what_is_not_taken() {
+        let word = ShortWord::new("X", &Picture::WHOLE).expect("a short word");
+        for units in [0, 100_000_000, -100_000_000, i64::MAX, i64::MIN] {
+            assert!(!word.takes(units), "{units}");
+        }
+        assert!(ShortWord::new("ABCDEFGH", &Picture::WHOLE).is_none());
+    }
+}
