@@ -1,7 +1,6 @@
 //! The word of one axis: from a joint value to the whole units that are printed.
 
 use super::dialect::{LengthUnit, Word};
-use super::line::Line;
 use super::printed_word::PrintedWord;
 use super::rounding::Rounding;
 use super::write_error::WriteError;
@@ -88,9 +87,14 @@ impl AxisWord {
         value + self.zero + self.length_share * tool_length_mm
     }
 
-    /// Prints the word.
+    /// How many bytes the word and a blank behind it take at most.
+    pub(super) fn room(&self) -> usize {
+        self.printed.room()
+    }
+
+    /// Prints the word, and says how long it is. All of the room may be written to.
     #[inline]
-    pub(super) fn print(&self, units: i64, line: &mut Line) {
-        self.printed.print(units, line);
+    pub(super) fn print(&self, units: i64, room: &mut [u8]) -> usize {
+        self.printed.print(units, room)
     }
 }

@@ -1,33 +1,29 @@
 //! One line while it is printed: its sequence number, its blanks, its end.
 
+use super::dialect::Sequence;
 use super::numbering::Numbering;
-use super::short_word::ROOM;
 
 /// The line being printed, behind the number that it may take.
 #[derive(Debug)]
 pub(super) struct Line {
-    /// The number and its blank, the line, and always room for a word and a byte more behind it.
+    /// The number and its blank, the line, and any bytes behind it.
     bytes: Vec<u8>,
     /// Where the line begins.
     body: usize,
     /// Where it ends so far.
     end: usize,
+    numbering: Option<Numbering>,
 }
+
+/// So many bytes are added when there is no room in a line.
+const MORE: usize = 256;
 
 impl Line {
     /// An empty line behind the first number.
-    pub(super) fn new(numbering: &Numbering) -> Self {
-        let mut line = Self { bytes: vec![0; 2 * ROOM], body: 0, end: 0 };
-        line.put_behind(numbering);
+    pub(super) fn new(sequence: Option<Sequence>) -> Self {
+        let mut line = Self { bytes: Vec::new(), body: 0, end: 0, numbering: sequence.map(Numbering::new) };
+        line.print_number();
         line
-    }
-
-    /// Empties it, and puts it behind the next number.
-    #[inline]
-    pub(super) fn put_behind(&mut self, numbering: &Numbering) {
-        self.end = 0;
-        numbering.print(self);
-        self.body = self.end;
     }
 
     /// Empties it.
@@ -42,20 +38,31 @@ impl Line {
         self.end
     }
 
-    /// Prints a word, which says how much of the room it takes.
+    /// The room behind it, which has so many bytes or more. What is printed there has to be [taken](Self::take).
     #[inline]
-    pub(super) fn word(&mut self, print: impl FnOnce(&mut [u8; ROOM]) -> usize) {
-        let room = self.bytes[self.end..].first_chunk_mut().expect("there is always room for a word");
-        self.end += print(room);
-        self.make_room();
+    pub(super) fn room(&mut self, count: usize) -> &mut [u8] {
+        if self.bytes.len() < self.end + count {
+            self.grow(count);
+        }
+        &mut self.bytes[self.end..]
+    }
+
+    /// Takes so many bytes of the room.
+    #[inline]
+    pub(super) fn take(&mut self, count: usize) {
+        self.end += count;
+    }
+
+    #[cold]
+    fn grow(&mut self, count: usize) {
+        self.bytes.resize(self.end + count + MORE, 0);
     }
 
     /// Prints a byte.
     #[inline]
     pub(super) fn byte(&mut self, byte: u8) {
-        self.bytes[self.end] = byte;
-        self.end += 1;
-        self.make_room();
+        self.room(1)[0] = byte;
+        self.take(1);
     }
 
     /// Prints anything.
@@ -63,7 +70,6 @@ impl Line {
         self.bytes.truncate(self.end);
         let printed = print(&mut self.bytes);
         self.end = self.bytes.len();
-        self.make_room();
         printed
     }
 
@@ -85,30 +91,43 @@ impl Line {
     }
 
     /// Ends the line and moves it into the program, with its number or without; one that has nothing in it is not a
-    /// line. Says whether it was one.
+    /// line, and takes no number.
     #[inline]
-    pub(super) fn finish(&mut self, numbered: bool, out: &mut Vec<u8>) -> bool {
+    pub(super) fn finish(&mut self, numbered: bool, out: &mut Vec<u8>) {
         while self.end > self.body && self.bytes[self.end - 1] == b' ' {
             self.end -= 1;
         }
-        let is_line = self.end > self.body;
-        if is_line {
-            self.bytes[self.end] = b'\n';
+        if self.end > self.body {
+            self.byte(b'\n');
             let start = if numbered { 0 } else { self.body };
-            out.extend_from_slice(&self.bytes[start..=self.end]);
+            out.extend_from_slice(&self.bytes[start..self.end]);
+            if numbered {
+                self.count_up();
+            }
         }
-        is_line
     }
 
+    /// Goes on to the next number.
     #[inline]
-    fn make_room(&mut self) {
-        if self.bytes.len() < self.end + ROOM {
-            self.grow();
+    fn count_up(&mut self) {
+        let Some(numbering) = &mut self.numbering else { return };
+        match numbering.advance() {
+            Some(digits) => {
+                self.end = numbering.address().len();
+                *self.room(digits.len()).first_chunk_mut().expect("the room asked for") = digits;
+                self.bytes[self.body - 1] = b' ';
+            }
+            None => self.print_number(),
         }
     }
 
+    /// Prints the number as a whole.
     #[cold]
-    fn grow(&mut self) {
-        self.bytes.resize(self.end + 4 * ROOM, 0);
+    fn print_number(&mut self) {
+        self.bytes.clear();
+        if let Some(numbering) = &self.numbering {
+            numbering.print(&mut self.bytes);
+        }
+        (self.body, self.end) = (self.bytes.len(), self.bytes.len());
     }
 }

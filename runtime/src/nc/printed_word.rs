@@ -1,8 +1,7 @@
-//! A word as it is printed: its address and its number, the quick way where there is one.
+//! A word as it is printed: its address and its number, the short way where there is one.
 
 use super::dialect::{Picture, Word};
-use super::line::Line;
-use super::short_word::ShortWord;
+use super::short_word::{ROOM, ShortWord};
 
 /// A word, ready to print.
 #[derive(Debug)]
@@ -18,20 +17,25 @@ impl PrintedWord {
         Self { short: ShortWord::new(&address, &picture), address, picture }
     }
 
-    /// Prints the word of a number of units that fits.
+    /// How many bytes the word and a blank behind it take at most.
+    pub(super) fn room(&self) -> usize {
+        ROOM + self.address.len() + self.picture.zero.as_ref().map_or(0, String::len)
+    }
+
+    /// Prints the word of a number of units that fits, and says how long it is. All of the room may be written to.
     #[inline]
-    pub(super) fn print(&self, units: i64, line: &mut Line) {
+    pub(super) fn print(&self, units: i64, room: &mut [u8]) -> usize {
         match &self.short {
-            Some(short) if short.takes(units) => line.word(|room| short.print(units, room)),
-            _ => self.print_any(units, line),
+            Some(short) if short.takes(units) => short.print(units, room.first_chunk_mut().expect("room for a word")),
+            _ => self.print_any(units, room),
         }
     }
 
     #[cold]
-    fn print_any(&self, units: i64, line: &mut Line) {
-        line.print(|bytes| {
-            bytes.extend_from_slice(self.address.as_bytes());
-            self.picture.print(units, bytes);
-        });
+    fn print_any(&self, units: i64, room: &mut [u8]) -> usize {
+        let mut word = self.address.clone().into_bytes();
+        self.picture.print(units, &mut word);
+        room[..word.len()].copy_from_slice(&word);
+        word.len()
     }
 }

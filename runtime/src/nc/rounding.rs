@@ -26,13 +26,10 @@ impl Rounding {
     pub(super) fn unbounded(&self, value: f64) -> Option<i64> {
         const LIMIT: f64 = 1e15; // 10^MOST_DIGITS
         let scaled = (value * self.units_per_one).abs();
-        if scaled.is_nan() || scaled >= LIMIT {
-            return None;
-        }
         let whole = scaled + NO_FRACTION;
         let is_half_lost = scaled - (whole - NO_FRACTION) >= 0.5;
-        let units = (whole.to_bits() - NO_FRACTION.to_bits()) as i64 + i64::from(is_half_lost);
-        Some(if value < 0.0 { -units } else { units })
+        let units = whole.to_bits().wrapping_sub(NO_FRACTION.to_bits()) as i64 + i64::from(is_half_lost);
+        (scaled < LIMIT).then_some(if value < 0.0 { -units } else { units })
     }
 
     /// Whether there are digits enough for so many units.

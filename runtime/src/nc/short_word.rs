@@ -5,23 +5,24 @@
 //! depends on digits. [`Picture::print`] prints all other numbers, and these the same way.
 
 use super::dialect::{Picture, Point};
+use std::num::NonZeroU64;
 
-/// So many bytes are written for a word, whatever its length; a blank behind it has room, too.
-pub(super) const ROOM: usize = 32;
+/// A word and a blank behind it take so many bytes at most.
+pub(super) const ROOM: usize = 40;
 
 /// An address and a picture, ready to print numbers of one to eight digits.
 #[derive(Debug)]
 pub(super) struct ShortWord {
     /// The address, and the sign of a number above zero and of one below.
     heads: [Head; 2],
+    /// A bit of the digit from which on zeros in front are printed.
+    front: NonZeroU64,
+    /// A bit of the digit up to which zeros at the end are printed.
+    back: NonZeroU64,
     /// How many of the eight digits stand before the point.
     point: usize,
-    /// How many zeros in front may be left out.
-    most_left_out: u32,
-    /// How many digits are printed at least, counted from the first of the eight.
-    end_least: u32,
-    /// Digits printed up to here or less have no point behind them.
-    pointless_end: u32,
+    /// The digits printed are these or fewer: no point stands behind them.
+    pointless: usize,
     /// How many bits of the digits stand before the last one in front of the point.
     before_tail: u32,
 }
@@ -54,19 +55,20 @@ impl ShortWord {
     pub(super) fn new(address: &str, picture: &Picture) -> Option<Self> {
         let Picture { decimals, decimals_least, .. } = *picture;
         let point = 8_u8.checked_sub(decimals).filter(|point| *point > 0)?;
-        let pointless_end = match picture.point {
+        let pointless = match picture.point {
             Point::Always => point - 1,
             Point::Needed => point,
             Point::Never if decimals == 0 => point,
             Point::Never => return None,
         };
         let plus = if picture.plus { "+" } else { "" };
+        let bit_of = |digit: u8| NonZeroU64::new(1_u64.checked_shl(8 * u32::from(digit))?);
         Some(Self {
             heads: [Head::new(address, plus)?, Head::new(address, "-")?],
+            front: bit_of(point.checked_sub(picture.integer_least)?.min(7))?,
+            back: bit_of(point + decimals_least - 1)?,
             point: usize::from(point),
-            most_left_out: u32::from(point.checked_sub(picture.integer_least)?),
-            end_least: u32::from(point + decimals_least),
-            pointless_end: u32::from(pointless_end),
+            pointless: usize::from(pointless),
             before_tail: u32::from(8 * (point - 1)),
         })
     }
@@ -82,23 +84,21 @@ impl ShortWord {
     pub(super) fn print(&self, units: i64, room: &mut [u8; ROOM]) -> usize {
         let digits = eight_digits(units.unsigned_abs() as u32);
         let text = digits | u64::from_le_bytes([b'0'; 8]);
-        let left_out = (digits.trailing_zeros() / 8).min(self.most_left_out);
-        let end = (8 - digits.leading_zeros() / 8).max(self.end_least);
+        let front = (self.front | digits).trailing_zeros() as usize / 8;
+        let end = 8 - (self.back | digits).leading_zeros() as usize / 8;
         let head = &self.heads[usize::from(units < 0)];
         put(head.text, 0, room);
-        let mut length = head.length;
-        put(text >> (8 * left_out), length, room);
-        length += self.point - left_out as usize;
-        put(text >> self.before_tail & !0xff | u64::from(b'.'), length, room);
-        length + end as usize - self.point + usize::from(end > self.pointless_end)
+        put(text >> (8 * front), head.length, room);
+        put(text >> self.before_tail & !0xff | u64::from(b'.'), head.length + self.point - front, room);
+        head.length + end - front + usize::from(end > self.pointless)
     }
 }
 
-/// Stores eight bytes, the first of which is the lowest.
+/// Stores eight bytes, the first of which is the lowest. All places are below 32, as the compiler shall know.
 #[inline]
 fn put(bytes: u64, at: usize, room: &mut [u8; ROOM]) {
-    let place = room[at..].first_chunk_mut().expect("a word of three parts has room");
-    *place = bytes.to_le_bytes();
+    let at = at & 31;
+    room[at..at + 8].copy_from_slice(&bytes.to_le_bytes());
 }
 
 /// The eight digits of a number as the bytes of a word, the first in the lowest byte: halved three times, all parts at

@@ -10,7 +10,6 @@ use super::dialect::{Block, Dialect, Line as Template, Piece, Trigger, Value};
 use super::feed_word::{FeedMode, FeedState};
 use super::line::Line;
 use super::moves::moves;
-use super::numbering::Numbering;
 pub use super::values::Values;
 use super::write_error::WriteError;
 use crate::cl::event::{Approach, Feed};
@@ -30,8 +29,9 @@ pub struct Writer {
 /// What the control knows from the blocks so far, and what the current motion wants.
 #[derive(Debug)]
 struct State {
-    numbering: Numbering,
     line: Line,
+    /// How many bytes the words of all axes take at most.
+    room: usize,
     /// Each axis word's number in units of its last decimal.
     axes: Vec<AxisState>,
     /// Whether the control knows the axes.
@@ -81,15 +81,6 @@ impl State {
         self.feed = None;
     }
 
-    /// Ends the line, if there is anything in it.
-    #[inline]
-    fn finish_line(&mut self, numbered: bool, out: &mut Vec<u8>) {
-        if self.line.finish(numbered, out) && numbered {
-            self.numbering.advance();
-            self.line.put_behind(&self.numbering);
-        }
-    }
-
     /// The feed of a motion, if it has one.
     #[inline]
     fn feed(&mut self, approach: Approach, dialect: &Dialect) -> Result<Option<FeedState>, WriteError> {
@@ -125,10 +116,11 @@ impl Writer {
     pub fn new(dialect: Dialect, axes: &[Axis]) -> Self {
         assert_eq!(dialect.axes.len(), axes.len(), "a dialect has one word for each axis of its machine");
         assert!(axes.len() <= 64, "the axes of a machine are few");
-        let numbering = Numbering::new(dialect.sequence.clone());
+        let words = dialect.axes.iter().zip(axes);
+        let words: Vec<AxisWord> = words.map(|(word, axis)| AxisWord::new(word, axis, dialect.units)).collect();
         let state = State {
-            line: Line::new(&numbering),
-            numbering,
+            line: Line::new(dialect.sequence.clone()),
+            room: words.iter().map(AxisWord::room).sum(),
             axes: vec![AxisState::default(); axes.len()],
             has_axes: false,
             codes: vec![None; dialect.modal_groups.len()],
@@ -138,8 +130,6 @@ impl Writer {
             approaching: true,
             tool: (0, 0),
         };
-        let words = dialect.axes.iter().zip(axes);
-        let words = words.map(|(word, axis)| AxisWord::new(word, axis, dialect.units)).collect();
         let blocks = Trigger::ALL.map(|trigger| dialect.blocks.iter().position(|block| block.trigger == trigger));
         Self { dialect, blocks, axes: words, retract: Retract::of(axes), state }
     }
@@ -171,7 +161,7 @@ impl Writer {
                     return Err(error);
                 }
             }
-            state.finish_line(line.numbered, out);
+            state.line.finish(line.numbered, out);
         }
         if trigger == Trigger::Tool {
             state.approaching = true;
@@ -215,7 +205,7 @@ impl Writer {
                     return Err(error);
                 }
             }
-            state.finish_line(line.numbered, out);
+            state.line.finish(line.numbered, out);
         }
         state.axes.iter_mut().for_each(|axis| axis.current = axis.wanted);
         state.has_axes = true;
@@ -236,7 +226,8 @@ fn print_retract(
     }
     let retract = retract.expect("some axis of a checked machine moves along its tool");
     let axis = &axes[retract.axis];
-    axis.print(axis.retract_units(&retract)?, line);
+    let length = axis.print(axis.retract_units(&retract)?, line.room(axis.room()));
+    line.take(length);
     Ok(())
 }
 
@@ -297,15 +288,16 @@ fn motion_piece(
 /// Prints the words of these axes that change, a blank between them.
 #[inline]
 fn print_axes(indices: &[usize], axes: &[AxisWord], state: &mut State, changes: Changes) {
-    let start = state.line.len();
+    let room = state.line.room(state.room);
+    let mut length = 0;
     for &index in indices {
         if changes.has(index) {
-            if state.line.len() > start {
-                state.line.byte(b' ');
-            }
-            axes[index].print(state.axes[index].wanted, &mut state.line);
+            length += axes[index].print(state.axes[index].wanted, &mut room[length..]);
+            room[length] = b' ';
+            length += 1;
         }
     }
+    state.line.take(length.saturating_sub(1));
 }
 
 /// Prints the code of the feed's kind, if it changes, and the feed word.
