@@ -78,29 +78,37 @@ impl Line {
         self.print(|bytes| bytes.extend_from_slice(text.as_bytes()));
     }
 
-    /// Prints text of the template; blanks that would follow a blank or begin the line are left out.
+    /// Prints a blank of the template, which is left out behind another one and where the line begins.
     #[inline]
-    pub(super) fn template(&mut self, text: &str) {
-        let after_blank = self.end == self.body || self.bytes[self.end - 1] == b' ';
-        match text {
-            " " if after_blank => {}
-            " " => self.byte(b' '),
-            text if after_blank => self.text(text.trim_start_matches(' ')),
-            text => self.text(text),
+    pub(super) fn blank(&mut self) {
+        if !self.is_behind_blank() {
+            self.byte(b' ');
         }
+    }
+
+    /// Prints text of the template; its first blanks are left out behind another one and where the line begins.
+    pub(super) fn template(&mut self, text: &str) {
+        self.text(if self.is_behind_blank() { text.trim_start_matches(' ') } else { text });
+    }
+
+    #[inline]
+    fn is_behind_blank(&self) -> bool {
+        matches!(self.bytes[self.body..self.end], [] | [.., b' '])
     }
 
     /// Ends the line and moves it into the program, with its number or without; one that has nothing in it is not a
     /// line, and takes no number.
     #[inline]
     pub(super) fn finish(&mut self, numbered: bool, out: &mut Vec<u8>) {
-        while self.end > self.body && self.bytes[self.end - 1] == b' ' {
-            self.end -= 1;
+        let mut line = &self.bytes[..self.end];
+        while line.len() > self.body
+            && let [rest @ .., b' '] = line
+        {
+            line = rest;
         }
-        if self.end > self.body {
-            self.byte(b'\n');
-            let start = if numbered { 0 } else { self.body };
-            out.extend_from_slice(&self.bytes[start..self.end]);
+        if line.len() > self.body {
+            out.extend_from_slice(if numbered { line } else { &line[self.body..] });
+            out.push(b'\n');
             if numbered {
                 self.count_up();
             }

@@ -85,7 +85,7 @@ impl ShortWord {
         let digits = eight_digits(units.unsigned_abs() as u32);
         let text = digits | u64::from_le_bytes([b'0'; 8]);
         let front = (self.front | digits).trailing_zeros() as usize / 8;
-        let end = 8 - (self.back | digits).leading_zeros() as usize / 8;
+        let end = (63 - (self.back | digits).leading_zeros()) as usize / 8 + 1;
         let head = &self.heads[usize::from(units < 0)];
         put(head.text, 0, room);
         put(text >> (8 * front), head.length, room);
@@ -105,11 +105,12 @@ fn put(bytes: u64, at: usize, room: &mut [u8; ROOM]) {
 /// once.
 #[inline]
 pub(super) fn eight_digits(number: u32) -> u64 {
-    let fours = u64::from(number / 10_000) | u64::from(number % 10_000) << 32;
+    let high = u64::from(number / 10_000);
+    let fours = (u64::from(number) << 32) - high * ((10_000 << 32) - 1);
     let hundreds = (fours * 10_486) >> 20 & 0x0000_007f_0000_007f;
-    let twos = hundreds | (fours - 100 * hundreds) << 16;
+    let twos = (fours << 16) - hundreds * ((100 << 16) - 1);
     let tens = (twos * 103) >> 10 & 0x000f_000f_000f_000f;
-    tens | (twos - 10 * tens) << 8
+    (twos << 8) - tens * ((10 << 8) - 1)
 }
 
 #[cfg(test)]

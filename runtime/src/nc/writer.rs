@@ -5,13 +5,14 @@
 //! block other than a motion that prints an axis word, axis words, codes and the feed are forgotten: the next motion
 //! prints them all. The first motion of a program and of a tool prints the block of the approach, if there is one.
 
-use super::axis_word::AxisWord;
-use super::dialect::{Block, Dialect, Line as Template, Piece, Trigger, Value};
+use super::dialect::{Dialect, Piece, Trigger, Value};
 use super::feed_word::{FeedMode, FeedState};
 use super::line::Line;
+use super::motion_block::{MotionBlocks, MotionLine, Step};
 use super::moves::moves;
 pub use super::values::Values;
 use super::write_error::WriteError;
+use super::written_axes::WrittenAxes;
 use crate::cl::event::{Approach, Feed};
 use crate::machine::{Axis, Retract};
 
@@ -19,23 +20,16 @@ use crate::machine::{Axis, Retract};
 #[derive(Debug)]
 pub struct Writer {
     dialect: Dialect,
-    /// For each trigger its block, as an index into the dialect's.
-    blocks: [Option<usize>; Trigger::ALL.len()],
-    axes: Vec<AxisWord>,
+    motions: MotionBlocks,
     retract: Option<Retract>,
     state: State,
 }
 
-/// What the control knows from the blocks so far, and what the current motion wants.
+/// What the control knows from the blocks so far, and the line being printed.
 #[derive(Debug)]
 struct State {
     line: Line,
-    /// How many bytes the words of all axes take at most.
-    room: usize,
-    /// Each axis word's number in units of its last decimal.
-    axes: Vec<AxisState>,
-    /// Whether the control knows the axes.
-    has_axes: bool,
+    axes: WrittenAxes,
     /// The code in force of each modal group.
     codes: Vec<Option<usize>>,
     feed: Option<FeedState>,
@@ -48,81 +42,12 @@ struct State {
     tool: (u64, u64),
 }
 
-/// The number of an axis word in units of its last decimal.
-#[derive(Debug, Clone, Copy, Default)]
-struct AxisState {
-    current: i64,
-    /// In the motion being printed.
-    wanted: i64,
-}
-
-/// The axes whose words change, as bits.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Changes(u64);
-
-impl Changes {
-    fn has(self, axis: usize) -> bool {
-        self.0 >> axis & 1 != 0
-    }
-
-    /// Whether a line has axis words, and none of them changes.
-    fn leave_alone(self, line: &Template) -> bool {
-        let axes =
-            || line.pieces.iter().filter_map(|piece| if let Piece::Axes(axes) = piece { Some(axes) } else { None });
-        axes().next().is_some() && !axes().flatten().any(|axis| self.has(*axis))
-    }
-}
-
-impl State {
-    /// Takes nothing for granted any more; only the kind of feed and the sequence number stay.
-    fn forget(&mut self) {
-        self.has_axes = false;
-        self.codes.fill(None);
-        self.feed = None;
-    }
-
-    /// The feed of a motion, if it has one.
-    #[inline]
-    fn feed(&mut self, approach: Approach, dialect: &Dialect) -> Result<Option<FeedState>, WriteError> {
-        let Approach::Feed(Some(feed)) = approach else { return Ok(None) };
-        match self.converted {
-            Some((last, converted)) if last == feed => Ok(Some(converted)),
-            _ => self.convert(feed, dialect).map(Some),
-        }
-    }
-
-    #[cold]
-    fn convert(&mut self, feed: Feed, dialect: &Dialect) -> Result<FeedState, WriteError> {
-        let converted = FeedState::new(feed, dialect)?;
-        self.converted = Some((feed, converted));
-        Ok(converted)
-    }
-
-    /// Takes what a motion wants of the axes, and says which words that changes.
-    #[inline]
-    fn want(&mut self, axes: &[AxisWord], joints: &[f64], tool_length_mm: f64) -> Result<Changes, WriteError> {
-        let is_new = u64::from(!self.has_axes);
-        let mut changes = 0;
-        for (index, ((axis, state), joint)) in axes.iter().zip(&mut self.axes).zip(joints).enumerate() {
-            state.wanted = axis.units(*joint, tool_length_mm)?;
-            changes |= (u64::from(state.wanted != state.current) | is_new) << index;
-        }
-        Ok(Changes(changes))
-    }
-}
-
 impl Writer {
     /// A writer at the start of a program. `axes` are the machine's, in the order of the dialect's axis words.
     pub fn new(dialect: Dialect, axes: &[Axis]) -> Self {
-        assert_eq!(dialect.axes.len(), axes.len(), "a dialect has one word for each axis of its machine");
-        assert!(axes.len() <= 64, "the axes of a machine are few");
-        let words = dialect.axes.iter().zip(axes);
-        let words: Vec<AxisWord> = words.map(|(word, axis)| AxisWord::new(word, axis, dialect.units)).collect();
         let state = State {
             line: Line::new(dialect.sequence.clone()),
-            room: words.iter().map(AxisWord::room).sum(),
-            axes: vec![AxisState::default(); axes.len()],
-            has_axes: false,
+            axes: WrittenAxes::new(&dialect, axes),
             codes: vec![None; dialect.modal_groups.len()],
             feed: None,
             feed_mode: None,
@@ -130,8 +55,7 @@ impl Writer {
             approaching: true,
             tool: (0, 0),
         };
-        let blocks = Trigger::ALL.map(|trigger| dialect.blocks.iter().position(|block| block.trigger == trigger));
-        Self { dialect, blocks, axes: words, retract: Retract::of(axes), state }
+        Self { motions: MotionBlocks::new(&dialect), dialect, retract: Retract::of(axes), state }
     }
 
     /// The dialect it prints by.
@@ -144,7 +68,7 @@ impl Writer {
     /// # Errors
     /// When the controller has no such block, or a value cannot be printed; `out` is then as it was.
     pub fn command(&mut self, trigger: Trigger, values: &Values<'_>, out: &mut Vec<u8>) -> Result<(), WriteError> {
-        let Self { dialect, axes, retract, state, .. } = self;
+        let Self { dialect, retract, state, .. } = self;
         let Some(block) = dialect.block(trigger) else {
             return if trigger.may_lack_a_block() { Ok(()) } else { Err(WriteError::NoBlock(trigger)) };
         };
@@ -153,8 +77,8 @@ impl Writer {
             state.line.clear();
             for piece in &line.pieces {
                 let printed = match piece {
-                    Piece::Value(Value::Retract, _) => print_retract(dialect, axes, *retract, &mut state.line),
-                    _ => command_piece(piece, dialect, state, values),
+                    Piece::Value(Value::Retract, _) => state.print_retract(retract.as_ref(), dialect),
+                    _ => state.print_piece(piece, values, dialect),
                 };
                 if let Err(error) = printed {
                     out.truncate(start);
@@ -185,154 +109,136 @@ impl Writer {
         tool_length_mm: f64,
         out: &mut Vec<u8>,
     ) -> Result<(), WriteError> {
-        let Self { dialect, blocks, axes, state, .. } = self;
-        let feed = state.feed(approach, dialect)?;
-        let block = motion_block(dialect, blocks, approach, state.approaching)?;
-        let changes = state.want(axes, joints, tool_length_mm)?;
-        if changes == Changes(0) {
+        let Self { dialect, motions, state, .. } = self;
+        let feed = state.convert(approach, dialect)?;
+        let block = motions.of(approach, state.approaching)?;
+        if !state.axes.go_to(joints, tool_length_mm)? {
             return Ok(());
         }
         state.approaching = false;
         let start = out.len();
         for line in &block.lines {
-            if block.lines.len() > 1 && changes.leave_alone(line) {
+            if line.left_out_without.as_ref().is_some_and(|axes| !state.axes.change(axes)) {
                 continue;
             }
-            state.line.clear();
-            for piece in &line.pieces {
-                if let Err(error) = motion_piece(piece, dialect, axes, state, changes, feed) {
-                    out.truncate(start);
-                    return Err(error);
-                }
+            if let Err(error) = state.print_line(line, feed, dialect) {
+                state.axes.go_back();
+                out.truncate(start);
+                return Err(error);
             }
             state.line.finish(line.numbered, out);
         }
-        state.axes.iter_mut().for_each(|axis| axis.current = axis.wanted);
-        state.has_axes = true;
         Ok(())
     }
 }
 
-/// Prints the word that takes the tool to its way out.
-fn print_retract(
-    dialect: &Dialect,
-    axes: &[AxisWord],
-    retract: Option<Retract>,
-    line: &mut Line,
-) -> Result<(), WriteError> {
-    if let Some(text) = &dialect.retract {
-        line.text(text);
-        return Ok(());
+impl State {
+    /// Takes nothing for granted any more; only the kind of feed and the sequence number stay.
+    fn forget(&mut self) {
+        self.axes.forget();
+        self.codes.fill(None);
+        self.feed = None;
     }
-    let retract = retract.expect("some axis of a checked machine moves along its tool");
-    let axis = &axes[retract.axis];
-    let length = axis.print(axis.retract_units(&retract)?, line.room(axis.room()));
-    line.take(length);
-    Ok(())
-}
 
-/// The block of a motion: that of the approach for a first one, where the controller has it.
-fn motion_block<'d>(
-    dialect: &'d Dialect,
-    blocks: &[Option<usize>],
-    approach: Approach,
-    is_first: bool,
-) -> Result<&'d Block, WriteError> {
-    let (first, plain) = match approach {
-        Approach::Rapid => (Trigger::Approach, Trigger::Rapid),
-        Approach::Feed(_) => (Trigger::ApproachFeed, Trigger::Feed),
-    };
-    let first = if is_first { blocks[first as usize] } else { None };
-    let block = first.or(blocks[plain as usize]).ok_or(WriteError::NoBlock(plain))?;
-    Ok(&dialect.blocks[block])
-}
+    /// The feed of a motion, if it has one.
+    #[inline]
+    fn convert(&mut self, approach: Approach, dialect: &Dialect) -> Result<Option<FeedState>, WriteError> {
+        let Approach::Feed(Some(feed)) = approach else { return Ok(None) };
+        match self.converted {
+            Some((last, converted)) if last == feed => Ok(Some(converted)),
+            _ => self.convert_other(feed, dialect).map(Some),
+        }
+    }
 
-/// Prints a piece of a motion's line.
-#[inline]
-fn motion_piece(
-    piece: &Piece,
-    dialect: &Dialect,
-    axes: &[AxisWord],
-    state: &mut State,
-    changes: Changes,
-    feed: Option<FeedState>,
-) -> Result<(), WriteError> {
-    match piece {
-        Piece::Text(text) => state.line.template(text),
-        Piece::Modal { group, code } => {
-            if state.codes[*group].replace(*code) != Some(*code) {
-                state.line.text(&dialect.modal_groups[*group][*code]);
+    #[cold]
+    fn convert_other(&mut self, feed: Feed, dialect: &Dialect) -> Result<FeedState, WriteError> {
+        let converted = FeedState::new(feed, dialect)?;
+        self.converted = Some((feed, converted));
+        Ok(converted)
+    }
+
+    /// Prints a line of a motion.
+    #[inline]
+    fn print_line(&mut self, line: &MotionLine, feed: Option<FeedState>, dialect: &Dialect) -> Result<(), WriteError> {
+        self.line.clear();
+        for step in &line.steps {
+            match step {
+                Step::Blank => self.line.blank(),
+                Step::Text(text) => self.line.template(text),
+                Step::Modal { group, code, text } => {
+                    if self.codes[*group] != Some(*code) {
+                        self.codes[*group] = Some(*code);
+                        self.line.text(text);
+                    }
+                }
+                Step::Axes(indices) => self.axes.print(indices, &mut self.line),
+                Step::Feed => {
+                    if let Some(feed) = feed
+                        && self.feed != Some(feed)
+                    {
+                        self.print_feed(feed, dialect);
+                    }
+                }
+                Step::FeedMode => {
+                    let mode = feed.map(|feed| feed.mode).or(self.feed_mode).unwrap_or(FeedMode::PerMinute);
+                    self.print_feed_mode(mode, dialect);
+                }
+                Step::Value(value, picture) => {
+                    let (tool, register) = self.tool;
+                    let values = Values { tool, register, ..Values::default() };
+                    self.line.print(|bytes| values.print(*value, picture.as_ref(), dialect, bytes))?;
+                }
             }
         }
-        Piece::Axes(indices) => print_axes(indices, axes, state, changes),
-        Piece::Feed => {
-            if let Some(feed) = feed
-                && state.feed.replace(feed) != Some(feed)
-            {
-                print_feed(feed, dialect, state);
+        Ok(())
+    }
+
+    /// Prints the feed word, and the code of its kind before it, if that changes.
+    #[cold]
+    fn print_feed(&mut self, feed: FeedState, dialect: &Dialect) {
+        self.feed = Some(feed);
+        let start = self.line.len();
+        self.print_feed_mode(feed.mode, dialect);
+        if self.line.len() > start {
+            self.line.byte(b' ');
+        }
+        feed.print(dialect, &mut self.line);
+    }
+
+    /// Prints the code of the feed's kind, if it changes.
+    fn print_feed_mode(&mut self, mode: FeedMode, dialect: &Dialect) {
+        if self.feed_mode.replace(mode) != Some(mode) {
+            self.line.text(mode.code(dialect));
+        }
+    }
+
+    /// Prints the word that takes the tool to its way out.
+    fn print_retract(&mut self, retract: Option<&Retract>, dialect: &Dialect) -> Result<(), WriteError> {
+        if let Some(text) = &dialect.retract {
+            self.line.text(text);
+            return Ok(());
+        }
+        let retract = retract.expect("some axis of a checked machine moves along its tool");
+        self.axes.print_retract(retract, &mut self.line)
+    }
+
+    /// Prints a piece of a command's line.
+    fn print_piece(&mut self, piece: &Piece, values: &Values<'_>, dialect: &Dialect) -> Result<(), WriteError> {
+        match piece {
+            Piece::Text(text) => self.line.template(text),
+            Piece::Modal { group, code } => {
+                self.codes[*group] = Some(*code);
+                self.line.text(&dialect.modal_groups[*group][*code]);
+            }
+            Piece::Axes(_) | Piece::Feed => {} // a command moves nothing
+            Piece::Value(Value::FeedMode, _) => {
+                let mode = *self.feed_mode.get_or_insert(FeedMode::PerMinute);
+                self.line.text(mode.code(dialect));
+            }
+            Piece::Value(value, picture) => {
+                return self.line.print(|bytes| values.print(*value, picture.as_ref(), dialect, bytes));
             }
         }
-        Piece::Value(Value::FeedMode, _) => {
-            let mode = feed.map(|feed| feed.mode).or(state.feed_mode).unwrap_or(FeedMode::PerMinute);
-            print_feed_mode(mode, dialect, state);
-        }
-        Piece::Value(value, picture) => {
-            let (tool, register) = state.tool;
-            let values = Values { tool, register, ..Values::default() };
-            return state.line.print(|bytes| values.print(*value, picture.as_ref(), dialect, bytes));
-        }
+        Ok(())
     }
-    Ok(())
-}
-
-/// Prints the words of these axes that change, a blank between them.
-#[inline]
-fn print_axes(indices: &[usize], axes: &[AxisWord], state: &mut State, changes: Changes) {
-    let room = state.line.room(state.room);
-    let mut length = 0;
-    for &index in indices {
-        if changes.has(index) {
-            length += axes[index].print(state.axes[index].wanted, &mut room[length..]);
-            room[length] = b' ';
-            length += 1;
-        }
-    }
-    state.line.take(length.saturating_sub(1));
-}
-
-/// Prints the code of the feed's kind, if it changes, and the feed word.
-fn print_feed(feed: FeedState, dialect: &Dialect, state: &mut State) {
-    let start = state.line.len();
-    print_feed_mode(feed.mode, dialect, state);
-    if state.line.len() > start {
-        state.line.byte(b' ');
-    }
-    feed.print(dialect, &mut state.line);
-}
-
-/// Prints the code of the feed's kind, if it changes.
-fn print_feed_mode(mode: FeedMode, dialect: &Dialect, state: &mut State) {
-    if state.feed_mode.replace(mode) != Some(mode) {
-        state.line.text(mode.code(dialect));
-    }
-}
-
-/// Prints a piece of a command's line.
-fn command_piece(piece: &Piece, dialect: &Dialect, state: &mut State, values: &Values<'_>) -> Result<(), WriteError> {
-    match piece {
-        Piece::Text(text) => state.line.template(text),
-        Piece::Modal { group, code } => {
-            state.codes[*group] = Some(*code);
-            state.line.text(&dialect.modal_groups[*group][*code]);
-        }
-        Piece::Axes(_) | Piece::Feed => {} // a command moves nothing
-        Piece::Value(Value::FeedMode, _) => {
-            let mode = *state.feed_mode.get_or_insert(FeedMode::PerMinute);
-            state.line.text(mode.code(dialect));
-        }
-        Piece::Value(value, picture) => {
-            return state.line.print(|bytes| values.print(*value, picture.as_ref(), dialect, bytes));
-        }
-    }
-    Ok(())
 }
