@@ -1,6 +1,6 @@
 //! The word of one axis: from a joint value to the whole units that are printed.
 
-use super::dialect::{LengthUnit, Word};
+use super::dialect::{LengthUnit, Picture, Word};
 use super::printed_word::PrintedWord;
 use super::rounding::Rounding;
 use super::write_error::WriteError;
@@ -16,8 +16,33 @@ pub struct AxisWord {
     /// Words' units in a millimetre or a degree.
     scale: f64,
     rounding: Rounding,
-    /// The least units written, and the units of a turn.
-    turn: Option<(i64, i64)>,
+    turn: Option<Turn>,
+}
+
+/// The turn that a rotary value is reduced to, in units.
+#[derive(Debug, Clone, Copy)]
+struct Turn {
+    /// The least number written.
+    from: i64,
+    length: i64,
+    /// The least number that has too many digits.
+    too_many: i64,
+}
+
+impl Turn {
+    fn new(from_deg: f64, picture: &Picture) -> Self {
+        let from = Rounding::unbounded(picture).units(from_deg).unwrap_or(0);
+        Self { from, length: 360 * picture.units_per_one(), too_many: picture.too_many_units() }
+    }
+
+    /// The same angle within the turn, if there are digits enough for it.
+    #[inline]
+    fn reduce(&self, units: i64) -> Option<i64> {
+        let Self { from, length, too_many } = *self;
+        let is_within = (from..from + length).contains(&units);
+        let reduced = if is_within { units } else { from + (units - from).rem_euclid(length) };
+        (reduced.abs() < too_many).then_some(reduced)
+    }
 }
 
 impl AxisWord {
@@ -27,37 +52,36 @@ impl AxisWord {
             (Motion::Linear, LengthUnit::Inch) => 1.0 / 25.4,
             _ => 1.0,
         };
-        let rounding = Rounding::new(&word.picture);
         let turn = match axis.written {
-            Written::Wrapped { from_deg } if axis.motion == Motion::Rotary => {
-                Some((rounding.unbounded(from_deg).unwrap_or(0), 360 * word.picture.units_per_one()))
-            }
+            Written::Wrapped { from_deg } if axis.motion == Motion::Rotary => Some(Turn::new(from_deg, &word.picture)),
             _ => None,
         };
+        let rounding = if turn.is_some() { Rounding::unbounded(&word.picture) } else { Rounding::new(&word.picture) };
         let (word, printed) = (word.clone(), PrintedWord::new(word));
         Self { word, printed, zero: axis.zero, length_share: axis.length_share, scale, rounding, turn }
     }
 
-    /// The units to print for a joint value in machine coordinates. A turn is taken off after rounding, so that what
-    /// rounds to 360 degrees is written as 0.
-    ///
-    /// # Errors
-    /// When the word has too few digits.
+    /// The units to print for a joint value in machine coordinates; nothing when the word has too few digits. A turn is
+    /// taken off after rounding, so that what rounds to 360 degrees is written as 0.
     #[inline]
-    pub fn units(&self, joint: f64, tool_length_mm: f64) -> Result<i64, WriteError> {
-        let value = (joint - self.zero - self.length_share * tool_length_mm) * self.scale;
-        match self.rounding.unbounded(value).map(|units| self.within_turn(units)) {
-            Some(units) if self.rounding.fits(units) => Ok(units),
-            _ => Err(WriteError::too_large(&self.word, value)),
+    pub fn units(&self, joint: f64, tool_length_mm: f64) -> Option<i64> {
+        let units = self.rounding.units(self.value_at(joint, tool_length_mm))?;
+        match &self.turn {
+            None => Some(units),
+            Some(turn) => turn.reduce(units),
         }
     }
 
+    /// Why there are no units for a joint value.
+    #[cold]
+    pub(super) fn too_large(&self, joint: f64, tool_length_mm: f64) -> WriteError {
+        WriteError::too_large(&self.word, self.value_at(joint, tool_length_mm))
+    }
+
+    /// The value in the word's unit.
     #[inline]
-    fn within_turn(&self, units: i64) -> i64 {
-        match self.turn {
-            Some((from, turn)) if !(from..from + turn).contains(&units) => from + (units - from).rem_euclid(turn),
-            _ => units,
-        }
+    fn value_at(&self, joint: f64, tool_length_mm: f64) -> f64 {
+        (joint - self.zero - self.length_share * tool_length_mm) * self.scale
     }
 
     /// The units to print for the way out, as the machine counts it: at the end of the travel, or just within it. Zero

@@ -70,12 +70,14 @@ impl Line {
         self.bytes.truncate(self.end);
         let printed = print(&mut self.bytes);
         self.end = self.bytes.len();
+        self.grow(0);
         printed
     }
 
     /// Prints text.
     pub(super) fn text(&mut self, text: &str) {
-        self.print(|bytes| bytes.extend_from_slice(text.as_bytes()));
+        self.room(text.len())[..text.len()].copy_from_slice(text.as_bytes());
+        self.take(text.len());
     }
 
     /// Prints a blank of the template, which is left out behind another one and where the line begins.
@@ -93,7 +95,7 @@ impl Line {
 
     #[inline]
     fn is_behind_blank(&self) -> bool {
-        matches!(self.bytes[self.body..self.end], [] | [.., b' '])
+        self.end == self.body || self.bytes[self.end - 1] == b' '
     }
 
     /// Ends the line and moves it into the program, with its number or without; one that has nothing in it is not a
@@ -121,8 +123,7 @@ impl Line {
         let Some(numbering) = &mut self.numbering else { return };
         match numbering.advance() {
             Some(digits) => {
-                self.end = numbering.address().len();
-                *self.room(digits.len()).first_chunk_mut().expect("the room asked for") = digits;
+                self.bytes[numbering.digits_at()..][..digits.len()].copy_from_slice(&digits);
                 self.bytes[self.body - 1] = b' ';
             }
             None => self.print_number(),
@@ -137,5 +138,6 @@ impl Line {
             numbering.print(&mut self.bytes);
         }
         (self.body, self.end) = (self.bytes.len(), self.bytes.len());
+        self.grow(0);
     }
 }

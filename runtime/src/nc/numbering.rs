@@ -27,9 +27,9 @@ impl Numbering {
         numbering
     }
 
-    /// What is printed before the digits.
-    pub(super) fn address(&self) -> &str {
-        &self.sequence.address
+    /// Where the digits stand in what is printed.
+    pub(super) fn digits_at(&self) -> usize {
+        self.sequence.address.len()
     }
 
     /// Prints the number and a blank.

@@ -46,8 +46,7 @@ impl Picture {
     /// The value in whole units of the last decimal, halves away from zero; nothing when it is not finite or has too
     /// many digits.
     pub fn units(&self, value: f64) -> Option<i64> {
-        let rounding = Rounding::new(self);
-        rounding.unbounded(value).filter(|units| rounding.fits(*units))
+        Rounding::new(self).units(value)
     }
 
     /// Prints a number of units that fits.

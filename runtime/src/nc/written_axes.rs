@@ -51,13 +51,12 @@ impl WrittenAxes {
     pub(super) fn go_to(&mut self, joints: &[f64], tool_length_mm: f64) -> Result<bool, WriteError> {
         let mut changes = false;
         for (index, (axis, joint)) in self.axes.iter_mut().zip(joints).enumerate() {
-            match axis.word.units(*joint, tool_length_mm) {
-                Ok(units) => (axis.before, axis.now) = (axis.now, units),
-                Err(error) => {
-                    go_back(&mut self.axes[..index]);
-                    return Err(error);
-                }
-            }
+            let Some(units) = axis.word.units(*joint, tool_length_mm) else {
+                let error = axis.word.too_large(*joint, tool_length_mm);
+                go_back(&mut self.axes[..index]);
+                return Err(error);
+            };
+            (axis.before, axis.now) = (axis.now, units);
             changes |= axis.changes();
         }
         Ok(changes)
