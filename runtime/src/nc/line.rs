@@ -100,7 +100,7 @@ impl Line {
 
     /// Ends the line and moves it into the program, with its number or without; one that has nothing in it is not a
     /// line, and takes no number.
-    #[inline]
+    #[inline(always)]
     pub(super) fn finish(&mut self, numbered: bool, out: &mut Vec<u8>) {
         let mut line = &self.bytes[..self.end];
         while line.len() > self.body

@@ -1,30 +1,28 @@
-//! Words whose number has at most eight digits, compiled: nearly all of a program.
+//! Words whose number has at most seven digits, compiled: nearly all of a program.
 //!
-//! Eight digits are the bytes of one machine word. Zeros at both ends are counted by its zero bits, and each part of a
-//! word is stored with all of its eight bytes, the next part over those that do not count: no loop, and no branch that
-//! depends on digits. [`Picture::print`] prints all other numbers, and these the same way.
+//! Seven digits and the point are the bytes of one machine word. Zeros at both ends are counted by its zero bits, and
+//! address and number are stored with all of their eight bytes, the number over what does not count of the address: no
+//! loop, and no branch that depends on digits. [`Picture::print`] prints all other numbers, and these the same way.
 
 use super::dialect::{Picture, Point};
 use std::num::NonZeroU64;
 
 /// A word and a blank behind it take so many bytes at most.
-pub(super) const ROOM: usize = 40;
+pub(super) const ROOM: usize = 24;
 
-/// An address and a picture, ready to print numbers of one to eight digits.
+/// An address and a picture, ready to print numbers of one to seven digits.
 #[derive(Debug)]
 pub(super) struct ShortWord {
     /// The address, and the sign of a number above zero and of one below.
     heads: [Head; 2],
-    /// A bit of the digit from which on zeros in front are printed.
-    front: NonZeroU64,
-    /// A bit of the digit up to which zeros at the end are printed.
-    back: NonZeroU64,
-    /// How many of the eight digits stand before the point.
-    point: usize,
-    /// The digits printed are these or fewer: no point stands behind them.
-    pointless: usize,
-    /// How many bits of the digits stand before the last one in front of the point.
-    before_tail: u32,
+    /// The bytes of the digits before the point, and of those behind it.
+    whole: u64,
+    part: u64,
+    /// What is printed for no digits at all: zeros, and the point.
+    zeros: u64,
+    /// A bit of the first byte that is printed whatever the digits are, and of the last one.
+    first: NonZeroU64,
+    last: NonZeroU64,
 }
 
 /// What stands before the digits.
@@ -39,41 +37,45 @@ impl Head {
     fn new(address: &str, sign: &str) -> Option<Self> {
         let length = address.len() + sign.len();
         let mut text = [0; 8];
-        for (place, byte) in text.get_mut(..length)?.iter_mut().zip(address.bytes().chain(sign.bytes())) {
-            *place = byte;
-        }
+        text.get_mut(..length)?.copy_from_slice([address, sign].concat().as_bytes());
         Some(Self { text: u64::from_le_bytes(text), length })
     }
 }
 
 impl ShortWord {
     /// The first number with more digits.
-    const LIMIT: u64 = 100_000_000;
+    const LIMIT: u64 = 10_000_000;
 
-    /// Compiles a word; none for a long address, and for a picture that needs more than eight digits or puts the point
-    /// elsewhere.
+    /// Compiles a word; none for a long address, and for a picture that needs more than seven digits.
     pub(super) fn new(address: &str, picture: &Picture) -> Option<Self> {
-        let Picture { decimals, decimals_least, .. } = *picture;
-        let point = 8_u8.checked_sub(decimals).filter(|point| *point > 0)?;
-        let pointless = match picture.point {
-            Point::Always => point - 1,
-            Point::Needed => point,
-            Point::Never if decimals == 0 => point,
-            Point::Never => return None,
+        let Picture { integer_least, decimals, decimals_least, .. } = *picture;
+        let has_point = picture.point != Point::Never;
+        if decimals > 0 && !has_point {
+            return None;
+        }
+        let point = 8_u8.checked_sub(decimals + u8::from(has_point))?;
+        let first = point.checked_sub(integer_least)?.min(7);
+        let last = match picture.point {
+            Point::Needed | Point::Never if decimals_least == 0 => point.checked_sub(1)?,
+            _ => point + decimals_least,
         };
         let plus = if picture.plus { "+" } else { "" };
-        let bit_of = |digit: u8| NonZeroU64::new(1_u64.checked_shl(8 * u32::from(digit))?);
+        let mut zeros = [b'0'; 8];
+        if has_point {
+            zeros[usize::from(point)] = b'.';
+        }
+        let (whole, part) = if has_point { (bytes_before(point), !bytes_before(point + 1)) } else { (0, !0) };
         Some(Self {
             heads: [Head::new(address, plus)?, Head::new(address, "-")?],
-            front: bit_of(point.checked_sub(picture.integer_least)?.min(7))?,
-            back: bit_of(point + decimals_least - 1)?,
-            point: usize::from(point),
-            pointless: usize::from(pointless),
-            before_tail: u32::from(8 * (point - 1)),
+            whole,
+            part,
+            zeros: u64::from_le_bytes(zeros),
+            first: bit_of(first)?,
+            last: bit_of(last)?,
         })
     }
 
-    /// Whether the number has one to eight digits.
+    /// Whether the number has one to seven digits.
     #[inline]
     pub(super) fn takes(&self, units: i64) -> bool {
         units.unsigned_abs().wrapping_sub(1) < Self::LIMIT - 1
@@ -83,21 +85,30 @@ impl ShortWord {
     #[inline]
     pub(super) fn print(&self, units: i64, room: &mut [u8; ROOM]) -> usize {
         let digits = eight_digits(units.unsigned_abs() as u32);
-        let text = digits | u64::from_le_bytes([b'0'; 8]);
-        let front = (self.front | digits).trailing_zeros() as usize / 8;
-        let end = (63 - (self.back | digits).leading_zeros()) as usize / 8 + 1;
+        let number = digits >> 8 & self.whole | digits & self.part;
+        let in_front = (self.first | number).trailing_zeros() as usize / 8;
+        let behind = (self.last | number).leading_zeros() as usize / 8;
         let head = &self.heads[usize::from(units < 0)];
         put(head.text, 0, room);
-        put(text >> (8 * front), head.length, room);
-        put(text >> self.before_tail & !0xff | u64::from(b'.'), head.length + self.point - front, room);
-        head.length + end - front + usize::from(end > self.pointless)
+        put((self.zeros | number) >> (8 * in_front), head.length, room);
+        head.length + 8 - in_front - behind
     }
 }
 
-/// Stores eight bytes, the first of which is the lowest. All places are below 32, as the compiler shall know.
+/// The lowest bit of a byte.
+fn bit_of(byte: u8) -> Option<NonZeroU64> {
+    NonZeroU64::new(1_u64.checked_shl(8 * u32::from(byte))?)
+}
+
+/// All bits of the first bytes.
+fn bytes_before(byte: u8) -> u64 {
+    bit_of(byte).map_or(!0, |bit| bit.get() - 1)
+}
+
+/// Stores eight bytes, the first of which is the lowest. All places are below 16, as the compiler shall know.
 #[inline]
 fn put(bytes: u64, at: usize, room: &mut [u8; ROOM]) {
-    let at = at & 31;
+    let at = at & 15;
     room[at..at + 8].copy_from_slice(&bytes.to_le_bytes());
 }
 
@@ -164,7 +175,7 @@ mod tests {
     #[test]
     fn what_is_not_taken() {
         let word = ShortWord::new("X", &Picture::WHOLE).expect("a short word");
-        for units in [0, 100_000_000, -100_000_000, i64::MAX, i64::MIN] {
+        for units in [0, 10_000_000, -10_000_000, i64::MAX, i64::MIN] {
             assert!(!word.takes(units), "{units}");
         }
         assert!(ShortWord::new("ABCDEFGH", &Picture::WHOLE).is_none());
