@@ -9,7 +9,6 @@ use crate::machine::{Axis, Motion, Retract, Written};
 /// How an axis' joint value becomes the number in its word.
 #[derive(Debug)]
 pub struct AxisWord {
-    word: Word,
     printed: PrintedWord,
     zero: f64,
     length_share: f64,
@@ -57,8 +56,8 @@ impl AxisWord {
             _ => None,
         };
         let rounding = if turn.is_some() { Rounding::unbounded(&word.picture) } else { Rounding::new(&word.picture) };
-        let (word, printed) = (word.clone(), PrintedWord::new(word));
-        Self { word, printed, zero: axis.zero, length_share: axis.length_share, scale, rounding, turn }
+        let printed = PrintedWord::new(word.clone());
+        Self { printed, zero: axis.zero, length_share: axis.length_share, scale, rounding, turn }
     }
 
     /// The units to print for a joint value in machine coordinates; nothing when the word has too few digits. A turn is
@@ -75,7 +74,7 @@ impl AxisWord {
     /// Why there are no units for a joint value.
     #[cold]
     pub(super) fn too_large(&self, joint: f64, tool_length_mm: f64) -> WriteError {
-        WriteError::too_large(&self.word, self.value_at(joint, tool_length_mm))
+        WriteError::too_large(&self.printed.word, self.value_at(joint, tool_length_mm))
     }
 
     /// The value in the word's unit.
@@ -91,8 +90,8 @@ impl AxisWord {
             return Ok(0);
         }
         let value = retract.end_mm * self.scale;
-        let picture = &self.word.picture;
-        let units = picture.units(value).ok_or_else(|| WriteError::too_large(&self.word, value))?;
+        let picture = &self.printed.word.picture;
+        let units = picture.units(value).ok_or_else(|| WriteError::too_large(&self.printed.word, value))?;
         let above = units as f64 / picture.units_per_one() as f64 - value;
         Ok(match retract.is_upper {
             true if above > 1e-9 => units - 1,
@@ -103,7 +102,7 @@ impl AxisWord {
 
     /// What so many units mean: millimetres or degrees from the program zero.
     pub fn value(&self, units: i64) -> f64 {
-        units as f64 / self.word.picture.units_per_one() as f64 / self.scale
+        units as f64 / self.printed.word.picture.units_per_one() as f64 / self.scale
     }
 
     /// Where a control takes the axis for a value in the program: machine coordinates.

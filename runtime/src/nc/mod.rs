@@ -2,6 +2,7 @@
 
 pub mod axis_word;
 pub mod dialect;
+mod digits;
 mod feed_word;
 mod line;
 mod motion_block;

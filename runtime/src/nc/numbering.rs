@@ -1,8 +1,8 @@
 //! Sequence numbers, counted up as text.
 
 use super::dialect::Sequence;
+use super::digits::eight_digits;
 use super::picture::print_whole;
-use super::short_word::eight_digits;
 
 /// The sequence number that comes next.
 #[derive(Debug)]

@@ -4,8 +4,8 @@
 //! so that what is compared is what is printed.
 
 use super::dialect::{Picture, Point};
+use super::digits::eight_digits;
 use super::rounding::Rounding;
-use super::short_word::eight_digits;
 
 /// `10^n`, exact.
 const POWERS: [u64; Picture::MOST_DIGITS as usize + 1] = {
@@ -50,7 +50,6 @@ impl Picture {
     }
 
     /// Prints a number of units that fits.
-    #[inline]
     pub fn print(&self, units: i64, out: &mut Vec<u8>) {
         if units == 0
             && let Some(zero) = &self.zero

@@ -1,25 +1,24 @@
 //! A word as it is printed: its address and its number, the short way where there is one.
 
-use super::dialect::{Picture, Word};
+use super::dialect::Word;
 use super::short_word::{ROOM, ShortWord};
 
 /// A word, ready to print.
 #[derive(Debug)]
 pub(super) struct PrintedWord {
     short: Option<ShortWord>,
-    address: String,
-    picture: Picture,
+    pub(super) word: Word,
 }
 
 impl PrintedWord {
-    pub(super) fn new(word: &Word) -> Self {
-        let Word { address, picture, .. } = word.clone();
-        Self { short: ShortWord::new(&address, &picture), address, picture }
+    pub(super) fn new(word: Word) -> Self {
+        Self { short: ShortWord::new(&word.address, &word.picture), word }
     }
 
     /// How many bytes the word and a blank behind it take at most.
     pub(super) fn room(&self) -> usize {
-        ROOM + self.address.len() + self.picture.zero.as_ref().map_or(0, String::len)
+        let Word { address, picture, .. } = &self.word;
+        ROOM + address.len() + picture.zero.as_ref().map_or(0, String::len)
     }
 
     /// Prints the word of a number of units that fits, and says how long it is. All of the room may be written to.
@@ -33,9 +32,9 @@ impl PrintedWord {
 
     #[cold]
     fn print_any(&self, units: i64, room: &mut [u8]) -> usize {
-        let mut word = self.address.clone().into_bytes();
-        self.picture.print(units, &mut word);
-        room[..word.len()].copy_from_slice(&word);
-        word.len()
+        let mut text = self.word.address.clone().into_bytes();
+        self.word.picture.print(units, &mut text);
+        room[..text.len()].copy_from_slice(&text);
+        text.len()
     }
 }

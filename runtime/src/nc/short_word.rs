@@ -5,6 +5,7 @@
 //! loop, and no branch that depends on digits. [`Picture::print`] prints all other numbers, and these the same way.
 
 use super::dialect::{Picture, Point};
+use super::digits::eight_digits;
 use std::num::NonZeroU64;
 
 /// A word and a blank behind it take so many bytes at most.
@@ -110,18 +111,6 @@ fn bytes_before(byte: u8) -> u64 {
 fn put(bytes: u64, at: usize, room: &mut [u8; ROOM]) {
     let at = at & 15;
     room[at..at + 8].copy_from_slice(&bytes.to_le_bytes());
-}
-
-/// The eight digits of a number as the bytes of a word, the first in the lowest byte: halved three times, all parts at
-/// once.
-#[inline]
-pub(super) fn eight_digits(number: u32) -> u64 {
-    let high = u64::from(number / 10_000);
-    let fours = (u64::from(number) << 32) - high * ((10_000 << 32) - 1);
-    let hundreds = (fours * 10_486) >> 20 & 0x0000_007f_0000_007f;
-    let twos = (fours << 16) - hundreds * ((100 << 16) - 1);
-    let tens = (twos * 103) >> 10 & 0x000f_000f_000f_000f;
-    (twos << 8) - tens * ((10 << 8) - 1)
 }
 
 #[cfg(test)]
