@@ -99,7 +99,7 @@ impl Line {
     }
 
     /// Ends the line and moves it into the program, with its number or without; one that has nothing in it is not a
-    /// line, and takes no number.
+    /// line, and takes no number. (The compiler finds it too large for its place, which every line passes.)
     #[inline(always)]
     pub(super) fn finish(&mut self, numbered: bool, out: &mut Vec<u8>) {
         let mut line = &self.bytes[..self.end];

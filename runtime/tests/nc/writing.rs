@@ -208,7 +208,7 @@ fn wandering() -> impl Iterator<Item = [f64; 5]> {
             match state >> 3 & 3 {
                 0 => {}
                 1 => *joint = (share * 100.0).trunc(),
-                _ => *joint = share * 2.0 * 10_f64.powi(n % 7 - 2),
+                _ => *joint = share * 2.0 * f64::from(10_u32.pow(n % 7)) / 100.0,
             }
         }
         joints
