@@ -133,7 +133,7 @@ fn reach(machine: &Machine, words: &[AxisWord], solved: &Solved<'_>) -> Result<R
     let joints = &solved.candidates[index].joints;
     let printed = words.iter().zip(joints).enumerate().map(|(axis, (word, joint))| {
         let units = word.units(*joint, machine.tool_length_mm);
-        units.map(|units| word.value(units)).map_err(|_| Refusal::Word(named(axis)))
+        units.map(|units| word.value(units)).ok_or_else(|| Refusal::Word(named(axis)))
     });
     Ok(Reached { index, candidates: solved.candidates.to_vec(), words: printed.collect::<Result<_, _>>()? })
 }

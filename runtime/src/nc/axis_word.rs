@@ -1,19 +1,47 @@
 //! The word of one axis: from a joint value to the whole units that are printed.
 
-use super::dialect::{LengthUnit, Word};
+use super::dialect::{LengthUnit, Picture, Word};
+use super::printed_word::PrintedWord;
+use super::rounding::Rounding;
 use super::write_error::WriteError;
 use crate::machine::{Axis, Motion, Retract, Written};
 
 /// How an axis' joint value becomes the number in its word.
 #[derive(Debug)]
 pub struct AxisWord {
-    word: Word,
+    printed: PrintedWord,
     zero: f64,
     length_share: f64,
     /// Words' units in a millimetre or a degree.
     scale: f64,
-    /// The least units written, and the units of a turn.
-    turn: Option<(i64, i64)>,
+    rounding: Rounding,
+    turn: Option<Turn>,
+}
+
+/// The turn that a rotary value is reduced to, in units.
+#[derive(Debug, Clone, Copy)]
+struct Turn {
+    /// The least number written.
+    from: i64,
+    length: i64,
+    /// The least number that has too many digits.
+    too_many: i64,
+}
+
+impl Turn {
+    fn new(from_deg: f64, picture: &Picture) -> Self {
+        let from = Rounding::unbounded(picture).units(from_deg).unwrap_or(0);
+        Self { from, length: 360 * picture.units_per_one(), too_many: picture.too_many_units() }
+    }
+
+    /// The same angle within the turn, if there are digits enough for it.
+    #[inline]
+    fn reduce(&self, units: i64) -> Option<i64> {
+        let Self { from, length, too_many } = *self;
+        let is_within = (from..from + length).contains(&units);
+        let reduced = if is_within { units } else { from + (units - from).rem_euclid(length) };
+        (reduced.abs() < too_many).then_some(reduced)
+    }
 }
 
 impl AxisWord {
@@ -24,32 +52,35 @@ impl AxisWord {
             _ => 1.0,
         };
         let turn = match axis.written {
-            Written::Wrapped { from_deg } if axis.motion == Motion::Rotary => {
-                let from = word.picture.unbounded_units(from_deg).unwrap_or(0);
-                Some((from, 360 * word.picture.units_per_one()))
-            }
+            Written::Wrapped { from_deg } if axis.motion == Motion::Rotary => Some(Turn::new(from_deg, &word.picture)),
             _ => None,
         };
-        Self { word: word.clone(), zero: axis.zero, length_share: axis.length_share, scale, turn }
+        let rounding = if turn.is_some() { Rounding::unbounded(&word.picture) } else { Rounding::new(&word.picture) };
+        let printed = PrintedWord::new(word.clone());
+        Self { printed, zero: axis.zero, length_share: axis.length_share, scale, rounding, turn }
     }
 
-    /// The units to print for a joint value in machine coordinates. A turn is taken off after rounding, so that what
-    /// rounds to 360 degrees is written as 0.
-    ///
-    /// # Errors
-    /// When the word has too few digits.
+    /// The units to print for a joint value in machine coordinates; nothing when the word has too few digits. A turn is
+    /// taken off after rounding, so that what rounds to 360 degrees is written as 0.
     #[inline]
-    pub fn units(&self, joint: f64, tool_length_mm: f64) -> Result<i64, WriteError> {
-        let value = (joint - self.zero - self.length_share * tool_length_mm) * self.scale;
-        let picture = &self.word.picture;
-        picture
-            .unbounded_units(value)
-            .map(|units| match self.turn {
-                Some((from, turn)) if !(from..from + turn).contains(&units) => from + (units - from).rem_euclid(turn),
-                _ => units,
-            })
-            .and_then(|units| picture.fits(units))
-            .ok_or_else(|| WriteError::too_large(&self.word, value))
+    pub fn units(&self, joint: f64, tool_length_mm: f64) -> Option<i64> {
+        let units = self.rounding.units(self.value_at(joint, tool_length_mm))?;
+        match &self.turn {
+            None => Some(units),
+            Some(turn) => turn.reduce(units),
+        }
+    }
+
+    /// Why there are no units for a joint value.
+    #[cold]
+    pub(super) fn too_large(&self, joint: f64, tool_length_mm: f64) -> WriteError {
+        WriteError::too_large(&self.printed.word, self.value_at(joint, tool_length_mm))
+    }
+
+    /// The value in the word's unit.
+    #[inline]
+    fn value_at(&self, joint: f64, tool_length_mm: f64) -> f64 {
+        (joint - self.zero - self.length_share * tool_length_mm) * self.scale
     }
 
     /// The units to print for the way out, as the machine counts it: at the end of the travel, or just within it. Zero
@@ -59,8 +90,8 @@ impl AxisWord {
             return Ok(0);
         }
         let value = retract.end_mm * self.scale;
-        let picture = &self.word.picture;
-        let units = picture.units(value).ok_or_else(|| WriteError::too_large(&self.word, value))?;
+        let picture = &self.printed.word.picture;
+        let units = picture.units(value).ok_or_else(|| WriteError::too_large(&self.printed.word, value))?;
         let above = units as f64 / picture.units_per_one() as f64 - value;
         Ok(match retract.is_upper {
             true if above > 1e-9 => units - 1,
@@ -71,7 +102,7 @@ impl AxisWord {
 
     /// What so many units mean: millimetres or degrees from the program zero.
     pub fn value(&self, units: i64) -> f64 {
-        units as f64 / self.word.picture.units_per_one() as f64 / self.scale
+        units as f64 / self.printed.word.picture.units_per_one() as f64 / self.scale
     }
 
     /// Where a control takes the axis for a value in the program: machine coordinates.
@@ -79,13 +110,14 @@ impl AxisWord {
         value + self.zero + self.length_share * tool_length_mm
     }
 
-    /// Prints the word.
+    /// How many bytes the word and a blank behind it take at most.
+    pub(super) fn room(&self) -> usize {
+        self.printed.room()
+    }
+
+    /// Prints the word, and says how long it is. All of the room may be written to.
     #[inline]
-    pub(super) fn print(&self, units: i64, out: &mut Vec<u8>) {
-        match self.word.address.as_bytes() {
-            [letter] => out.push(*letter),
-            address => out.extend_from_slice(address),
-        }
-        self.word.picture.print(units, out);
+    pub(super) fn print(&self, units: i64, room: &mut [u8]) -> usize {
+        self.printed.print(units, room)
     }
 }

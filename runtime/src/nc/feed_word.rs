@@ -1,6 +1,7 @@
 //! The feed word, and the code of its kind.
 
 use super::dialect::{Dialect, LengthUnit, Word};
+use super::line::Line;
 use super::write_error::WriteError;
 use crate::cl::event::Feed;
 
@@ -58,9 +59,11 @@ impl FeedState {
     }
 
     /// Prints the word.
-    pub(super) fn print(self, dialect: &Dialect, out: &mut Vec<u8>) {
+    pub(super) fn print(self, dialect: &Dialect, line: &mut Line) {
         let word = self.mode.word(dialect);
-        out.extend_from_slice(word.address.as_bytes());
-        word.picture.print(self.units, out);
+        line.print(|bytes| {
+            bytes.extend_from_slice(word.address.as_bytes());
+            word.picture.print(self.units, bytes);
+        });
     }
 }

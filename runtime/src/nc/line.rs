@@ -1,74 +1,143 @@
 //! One line while it is printed: its sequence number, its blanks, its end.
 
 use super::dialect::Sequence;
-use super::picture::print_whole;
+use super::numbering::Numbering;
 
-/// Sequence numbers, and the one that comes next.
+/// The line being printed, behind the number that it may take.
 #[derive(Debug)]
-pub(super) struct Numbering {
-    sequence: Option<Sequence>,
-    next: u64,
-}
-
-impl Numbering {
-    pub(super) fn new(sequence: Option<Sequence>) -> Self {
-        let next = sequence.as_ref().map_or(0, |sequence| sequence.start);
-        Self { sequence, next }
-    }
-
-    fn print(&self, out: &mut Vec<u8>) {
-        if let Some(sequence) = &self.sequence {
-            out.extend_from_slice(sequence.address.as_bytes());
-            print_whole(self.next, out);
-            out.push(b' ');
-        }
-    }
-
-    fn advance(&mut self) {
-        if let Some(sequence) = &self.sequence {
-            let next = self.next.saturating_add(sequence.step);
-            self.next = if next > sequence.greatest { sequence.start } else { next };
-        }
-    }
-}
-
-/// Where a line being printed begins.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct OpenLine {
-    start: usize,
+pub(super) struct Line {
+    /// The number and its blank, the line, and any bytes behind it.
+    bytes: Vec<u8>,
+    /// Where the line begins.
     body: usize,
-    numbered: bool,
+    /// Where it ends so far.
+    end: usize,
+    numbering: Option<Numbering>,
 }
 
-impl OpenLine {
-    /// Begins a line.
-    pub(super) fn begin(numbered: bool, numbering: &Numbering, out: &mut Vec<u8>) -> Self {
-        let start = out.len();
-        if numbered {
-            numbering.print(out);
-        }
-        Self { start, body: out.len(), numbered }
+/// So many bytes are added when there is no room in a line.
+const MORE: usize = 256;
+
+impl Line {
+    /// An empty line behind the first number.
+    pub(super) fn new(sequence: Option<Sequence>) -> Self {
+        let mut line = Self { bytes: Vec::new(), body: 0, end: 0, numbering: sequence.map(Numbering::new) };
+        line.print_number();
+        line
     }
 
-    /// Prints text of the template; blanks that would follow a blank or begin the line are left out.
-    pub(super) fn text(self, text: &str, out: &mut Vec<u8>) {
-        let after_blank = out.len() == self.body || out.last() == Some(&b' ');
-        let blanks = text.bytes().take_while(|byte| after_blank && *byte == b' ').count();
-        out.extend_from_slice(&text.as_bytes()[blanks..]);
+    /// Empties it.
+    #[inline]
+    pub(super) fn clear(&mut self) {
+        self.end = self.body;
     }
 
-    /// Ends the line; one that has nothing in it is taken back, with its number.
-    pub(super) fn end(self, numbering: &mut Numbering, out: &mut Vec<u8>) {
-        while out.len() > self.body && out.last() == Some(&b' ') {
-            out.pop();
+    /// How long it is, its number included.
+    #[inline]
+    pub(super) fn len(&self) -> usize {
+        self.end
+    }
+
+    /// The room behind it, which has so many bytes or more. What is printed there has to be [taken](Self::take).
+    #[inline]
+    pub(super) fn room(&mut self, count: usize) -> &mut [u8] {
+        if self.bytes.len() < self.end + count {
+            self.grow(count);
         }
-        if out.len() == self.body {
-            out.truncate(self.start);
-            return;
+        &mut self.bytes[self.end..]
+    }
+
+    /// Takes so many bytes of the room.
+    #[inline]
+    pub(super) fn take(&mut self, count: usize) {
+        self.end += count;
+    }
+
+    #[cold]
+    fn grow(&mut self, count: usize) {
+        self.bytes.resize(self.end + count + MORE, 0);
+    }
+
+    /// Prints a byte.
+    #[inline]
+    pub(super) fn byte(&mut self, byte: u8) {
+        self.room(1)[0] = byte;
+        self.take(1);
+    }
+
+    /// Prints anything.
+    pub(super) fn print<T>(&mut self, print: impl FnOnce(&mut Vec<u8>) -> T) -> T {
+        self.bytes.truncate(self.end);
+        let printed = print(&mut self.bytes);
+        self.end = self.bytes.len();
+        self.grow(0);
+        printed
+    }
+
+    /// Prints text.
+    pub(super) fn text(&mut self, text: &str) {
+        self.room(text.len())[..text.len()].copy_from_slice(text.as_bytes());
+        self.take(text.len());
+    }
+
+    /// Prints a blank of the template, which is left out behind another one and where the line begins.
+    #[inline]
+    pub(super) fn blank(&mut self) {
+        if !self.is_behind_blank() {
+            self.byte(b' ');
         }
-        out.push(b'\n');
-        if self.numbered {
-            numbering.advance();
+    }
+
+    /// Prints text of the template; its first blanks are left out behind another one and where the line begins.
+    pub(super) fn template(&mut self, text: &str) {
+        self.text(if self.is_behind_blank() { text.trim_start_matches(' ') } else { text });
+    }
+
+    #[inline]
+    fn is_behind_blank(&self) -> bool {
+        self.end == self.body || self.bytes[self.end - 1] == b' '
+    }
+
+    /// Ends the line and moves it into the program, with its number or without; one that has nothing in it is not a
+    /// line, and takes no number. (The compiler finds it too large for its place, which every line passes.)
+    #[inline(always)]
+    pub(super) fn finish(&mut self, numbered: bool, out: &mut Vec<u8>) {
+        let mut line = &self.bytes[..self.end];
+        while line.len() > self.body
+            && let [rest @ .., b' '] = line
+        {
+            line = rest;
         }
+        if line.len() > self.body {
+            out.extend_from_slice(if numbered { line } else { &line[self.body..] });
+            out.push(b'\n');
+            if numbered {
+                self.count_up();
+            }
+        }
+    }
+
+    /// Goes on to the next number.
+    #[inline]
+    fn count_up(&mut self) {
+        let Some(numbering) = &mut self.numbering else { return };
+        match numbering.advance() {
+            Some(digits) => {
+                self.bytes[numbering.digits_at()..][..digits.len()].copy_from_slice(&digits);
+                self.bytes[self.body - 1] = b' ';
+            }
+            None => self.print_number(),
+        }
+    }
+
+    /// Prints the number as a whole.
+    #[cold]
+    fn print_number(&mut self) {
+        self.bytes.clear();
+        if let Some(numbering) = &self.numbering {
+            numbering.print(&mut self.bytes);
+        }
+        (self.body, self.end) = (self.bytes.len(), self.bytes.len());
+        self.grow(0);
     }
 }

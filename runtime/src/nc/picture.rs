@@ -4,6 +4,8 @@
 //! so that what is compared is what is printed.
 
 use super::dialect::{Picture, Point};
+use super::digits::eight_digits;
+use super::rounding::Rounding;
 
 /// `10^n`, exact.
 const POWERS: [u64; Picture::MOST_DIGITS as usize + 1] = {
@@ -44,27 +46,10 @@ impl Picture {
     /// The value in whole units of the last decimal, halves away from zero; nothing when it is not finite or has too
     /// many digits.
     pub fn units(&self, value: f64) -> Option<i64> {
-        self.fits(self.unbounded_units(value)?)
-    }
-
-    /// The same for a value that need not fit before it is reduced to a turn.
-    pub fn unbounded_units(&self, value: f64) -> Option<i64> {
-        let scaled = (value * self.units_per_one() as f64).abs();
-        if scaled.is_nan() || scaled >= POWERS[usize::from(Self::MOST_DIGITS)] as f64 {
-            return None;
-        }
-        let whole = scaled as i64;
-        let units = whole + i64::from(scaled - whole as f64 >= 0.5);
-        Some(if value < 0.0 { -units } else { units })
-    }
-
-    /// The units, if the picture has enough digits for them.
-    pub fn fits(&self, units: i64) -> Option<i64> {
-        (units.abs() < self.too_many_units()).then_some(units)
+        Rounding::new(self).units(value)
     }
 
     /// Prints a number of units that fits.
-    #[inline]
     pub fn print(&self, units: i64, out: &mut Vec<u8>) {
         if units == 0
             && let Some(zero) = &self.zero
@@ -141,17 +126,6 @@ impl Digits {
         out.extend_from_slice(window.expect("a place among the digits has as many bytes behind it"));
         out.truncate(end);
     }
-}
-
-/// The eight digits of a number as the bytes of a word, the first in the lowest byte: halved three times, all parts at
-/// once.
-#[inline]
-fn eight_digits(number: u32) -> u64 {
-    let fours = u64::from(number / 10_000) | u64::from(number % 10_000) << 32;
-    let hundreds = (fours * 10_486) >> 20 & 0x0000_007f_0000_007f;
-    let twos = hundreds | (fours - 100 * hundreds) << 16;
-    let tens = (twos * 103) >> 10 & 0x000f_000f_000f_000f;
-    tens | (twos - 10 * tens) << 8
 }
 
 #[cfg(test)]

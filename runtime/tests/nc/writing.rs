@@ -2,7 +2,7 @@
 
 use crate::table::{axes, dialect, with_approach};
 use mach_runtime::cl::event::{Approach, Feed};
-use mach_runtime::nc::dialect::{Block, Dialect, LengthUnit, Trigger};
+use mach_runtime::nc::dialect::{Block, Dialect, LengthUnit, Picture, Point, Trigger};
 use mach_runtime::nc::write_error::WriteError;
 use mach_runtime::nc::writer::{Values, Writer};
 
@@ -183,4 +183,67 @@ fn a_controller_without_feed_per_revolution_refuses_it() {
     let turning = Approach::Feed(Some(Feed::PerRevolution(0.1)));
     let error = writer.motion(turning, &[0.0; 5], 0.0, &mut Vec::new());
     assert_eq!(error, Err(WriteError::NoFeedPerRevolution));
+}
+
+#[test]
+fn a_refused_motion_moves_no_axis() {
+    let mut writer = Writer::new(Dialect { sequence: None, ..with_approach() }, &axes());
+    let mut out = Vec::new();
+    writer.command(Trigger::Tool, &Values { register: 12, ..Values::default() }, &mut out).expect("printed");
+    let approach = writer.motion(Approach::Rapid, &[1.0; 5], 0.0, &mut out);
+    assert!(matches!(approach, Err(WriteError::TooLarge { .. })));
+    assert_eq!(motion(&mut writer, FEED, [1.0; 5]), "G1 X1. Y1. Z1. A1. C1. G94 F500.\n");
+    assert!(writer.motion(FEED, &[2.0, 12_345.0, 1.0, 1.0, 1.0], 0.0, &mut out).is_err());
+    assert_eq!(motion(&mut writer, FEED, [2.0, 1.0, 1.0, 1.0, 1.0]), "X2.\n");
+}
+
+/// Joints of few and of many digits, some of which stay where they are.
+fn wandering() -> impl Iterator<Item = [f64; 5]> {
+    let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+    let mut joints = [0.0; 5];
+    (0..20_000).map(move |n| {
+        for joint in &mut joints {
+            state = state.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+            let share = (state >> 12) as f64 / (1_u64 << 52) as f64 - 0.5;
+            match state >> 3 & 3 {
+                0 => {}
+                1 => *joint = (share * 100.0).trunc(),
+                _ => *joint = share * 2.0 * f64::from(10_u32.pow(n % 7)) / 100.0,
+            }
+        }
+        joints
+    })
+}
+
+#[test]
+fn words_of_all_lengths_are_what_their_pictures_print() {
+    let pictures = [(4, 0, 3), (4, 1, 4), (6, 0, 6), (9, 2, 0), (5, 0, 8)];
+    for (address, point) in [("X", Point::Always), ("X1=", Point::Needed), ("SPINDLE_X=", Point::Always)] {
+        let mut dialect = plain();
+        let words = dialect.axes.iter_mut().zip(pictures).enumerate();
+        for (n, (word, (integer_digits, integer_least, decimals))) in words {
+            word.address = address.replace('X', &word.name);
+            let zero = (n == 0).then(|| "000.0".to_owned());
+            let plus = n == 1;
+            word.picture =
+                Picture { integer_digits, integer_least, decimals, point, plus, zero, ..word.picture.clone() };
+        }
+        let words = dialect.axes.clone();
+        let mut writer = Writer::new(dialect, &axes()[..3].iter().chain(&axes()[..2]).cloned().collect::<Vec<_>>());
+        let mut before = [None; 5];
+        for joints in wandering() {
+            let mut expected = Vec::new();
+            for ((word, joint), before) in words.iter().zip(joints).zip(&mut before) {
+                let units = word.picture.units(joint);
+                if *before != units {
+                    let mut text = word.address.clone().into_bytes();
+                    word.picture.print(units.expect("the joint fits"), &mut text);
+                    expected.push(String::from_utf8(text).expect("ASCII"));
+                }
+                *before = units;
+            }
+            let printed = motion(&mut writer, Approach::Rapid, joints);
+            assert_eq!(printed.trim_start_matches("G0 ").trim_end(), expected.join(" "), "{joints:?}");
+        }
+    }
 }
