@@ -17,8 +17,7 @@ const UNSIGNED_BYTES: usize = 10;
 pub(crate) fn usual_decimal(text: &[u8]) -> Option<(f64, &[u8])> {
     let window = text.first_chunk::<WINDOW_BYTES>()?;
     let negative = window[0] == b'-';
-    let unsigned = window[usize::from(negative)..].first_chunk()?;
-    let (digits, count, decimals) = digits(unsigned)?;
+    let (digits, count, decimals) = digits(window[usize::from(negative)..].first_chunk()?)?;
     Some((quotient(digits, decimals, negative), &text[usize::from(negative) + count + 1..]))
 }
 
@@ -31,7 +30,7 @@ fn digits(text: &[u8; UNSIGNED_BYTES]) -> Option<(u64, usize, usize)> {
     let from_point = at_and_above(end_of_whole);
     let end = no_digits(behind) & from_point;
     let count = bytes_below(end);
-    let more = end == 0 && text[UNSIGNED_BYTES - 1].is_ascii_digit();
+    let more = text[count + 1].is_ascii_digit();
     if text[whole] != b'.' || count == 0 || more {
         return None;
     }
@@ -66,12 +65,11 @@ fn at_and_above(top_bits: u64) -> u64 {
     lowest_bits | lowest_bits.wrapping_neg()
 }
 
-/// The number with these eight digits, the first one in the lowest byte: pairs of digits, then of pairs, then of those.
+/// The number with these eight digits, the first one in the lowest byte: two bytes become a number below 100, two of those
+/// one below 10,000, and two of those the whole.
 #[inline]
 fn eight_digits(values: u64) -> u64 {
-    const PAIR: u64 = 0x0000_00FF_0000_00FF;
-    let pairs = values.wrapping_mul(10).wrapping_add(values >> 8);
-    let high = (pairs & PAIR).wrapping_mul(100 + (1_000_000 << 32));
-    let low = (pairs >> 16 & PAIR).wrapping_mul(1 + (10_000 << 32));
-    high.wrapping_add(low) >> 32
+    let pairs = (values.wrapping_mul((10 << 8) + 1) >> 8) & 0x00FF_00FF_00FF_00FF;
+    let fours = (pairs.wrapping_mul((100 << 16) + 1) >> 16) & 0x0000_FFFF_0000_FFFF;
+    fours.wrapping_mul((10_000 << 32) + 1) >> 32
 }
