@@ -45,8 +45,8 @@ impl Decimal {
 #[inline]
 pub(crate) fn quotient(digits: u64, decimals: usize, negative: bool) -> f64 {
     // The sign is put on the whole number, which has no -0.
-    let sign = 1 - 2 * i64::from(negative);
-    (sign * digits as i64) as f64 / POWERS_OF_TEN[decimals]
+    let digits = digits as i64;
+    (if negative { -digits } else { digits }) as f64 / POWERS_OF_TEN[decimals]
 }
 
 /// Appends the digits from one place on to a number, and says where they end. Too many of them wrap around.
