@@ -19,7 +19,7 @@ pub(crate) struct Decimal {
 
 impl Decimal {
     /// More digits are not taken: a word of 64 bits holds all numbers of so many.
-    const MOST_DIGITS: usize = 18;
+    pub(crate) const MOST_DIGITS: usize = 18;
 
     /// The decimal that the text begins with, if it does.
     pub(crate) fn leading(text: &[u8]) -> Option<Self> {

@@ -17,8 +17,9 @@ use std::ops::Range;
 pub struct ReadBack {
     /// What each byte begins.
     begins: [Begins; 256],
-    axes: Vec<ReadAxis>,
-    /// Where they are.
+    /// What the axes' words mean, in the machine's order.
+    meanings: Vec<Meaning>,
+    /// Where the axes are.
     joints: Vec<f64>,
     /// The axes that have never been given, the first one in the lowest bit.
     missing: u64,
@@ -42,9 +43,9 @@ enum Begins {
     Unsure,
 }
 
-/// An axis, and where it is.
+/// What the number of an axis' word means.
 #[derive(Debug)]
-struct ReadAxis {
+struct Meaning {
     /// Millimetres or degrees in the word's unit.
     scale: f64,
     zero: f64,
@@ -62,7 +63,7 @@ struct AxisWord {
 /// Text that is no block of the dialect.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ReadError {
-    /// Where, in bytes from the start of the text.
+    /// Where, in bytes from the start of the motion.
     pub offset: usize,
     /// What is wrong there.
     pub mistake: Mistake,
@@ -92,14 +93,14 @@ impl ReadBack {
         let words: Vec<AxisWord> = words.collect();
         let mut by_address: Vec<usize> = (0..words.len()).collect();
         by_address.sort_by_key(|&axis| Reverse(words[axis].address.len()));
-        let read_axis = |axis: &Axis| ReadAxis {
+        let meaning = |axis: &Axis| Meaning {
             scale: millimetres_or_degrees(axis.motion, dialect.units),
             zero: axis.zero,
             length_mm: axis.length_share * tool_length_mm,
         };
         Self {
             begins: std::array::from_fn(|byte| begins(byte as u8, &words, &comment.0)),
-            axes: axes.iter().map(read_axis).collect(),
+            meanings: axes.iter().map(meaning).collect(),
             joints: vec![0.0; axes.len()],
             missing: (0..axes.len()).map(|axis| 1 << axis).sum(),
             words,
@@ -119,26 +120,33 @@ impl ReadBack {
         let mut rest = &text[motion.start..];
         let mut blocks = 0;
         let mut given = 0;
-        while let [byte, behind @ ..] = rest
-            && rest.len() > behind_motion
+        while rest.len() > behind_motion
+            && let [byte, behind @ ..] = rest
         {
             rest = match self.begins[usize::from(*byte)] {
                 Begins::Blank => behind,
                 Begins::Block => {
+                    self.missing &= !given;
                     given = 0;
                     blocks += 1;
                     behind
                 }
                 begins => match self.usual_word(begins, behind, &mut given) {
-                    Some(behind) => behind,
-                    None => self.any_word(text, text.len() - rest.len(), &mut given)?,
+                    Some(behind) => behind.strip_prefix(b" ").unwrap_or(behind),
+                    None => {
+                        let at = text.len() - rest.len();
+                        let end = self.any_word(text, at, &mut given);
+                        &text[end.map_err(|mistake| ReadError { offset: at - motion.start, mistake })?..]
+                    }
                 },
             };
         }
+        self.missing &= !given;
         match self.missing {
             0 => Ok((blocks, &self.joints)),
             missing => {
-                Err(ReadError { offset: text.len(), mistake: Mistake::Missing(missing.trailing_zeros() as usize) })
+                let mistake = Mistake::Missing(missing.trailing_zeros() as usize);
+                Err(ReadError { offset: motion.len(), mistake })
             }
         }
     }
@@ -152,22 +160,21 @@ impl ReadBack {
                 let (value, behind) = usual_decimal(text)?;
                 self.give(usize::from(axis), value, given).then_some(behind)
             }
-            Begins::OtherWord => whole_number_in_blanks(text),
+            Begins::OtherWord => behind_whole_number(text),
             _ => None,
         }
     }
 
-    /// Reads a word, whatever it is, and says what stands behind it.
-    #[inline(never)]
-    fn any_word<'a>(&mut self, text: &'a [u8], at: usize, given: &mut u64) -> Result<&'a [u8], ReadError> {
-        let end = if let Some((axis, value, end)) = self.axis_word(text, at) {
+    /// Reads a word, whatever it is, and says where it ends.
+    #[cold]
+    fn any_word(&mut self, text: &[u8], at: usize, given: &mut u64) -> Result<usize, Mistake> {
+        if let Some((axis, value, end)) = self.axis_word(text, at) {
             self.give(axis, value, given).then_some(end).ok_or(Mistake::Repeated)
         } else if text[at..].starts_with(&self.comment.0) && !self.comment.0.is_empty() {
             comment_end(text, at + self.comment.0.len(), &self.comment.1).ok_or(Mistake::OpenComment)
         } else {
             self.other_word(text, at).ok_or(Mistake::NoWord)
-        };
-        end.map(|end| &text[end..]).map_err(|mistake| ReadError { offset: at, mistake })
+        }
     }
 
     /// Moves an axis to what its word says. False when the block has done so before.
@@ -177,9 +184,8 @@ impl ReadBack {
         let first = *given & bit == 0;
         if first {
             *given |= bit;
-            self.missing &= !bit;
-            let unit = &self.axes[axis];
-            self.joints[axis] = value * unit.scale + unit.zero + unit.length_mm;
+            let word = &self.meanings[axis];
+            self.joints[axis] = value * word.scale + word.zero + word.length_mm;
         }
         first
     }
@@ -252,9 +258,10 @@ fn millimetres_or_degrees(motion: Motion, units: LengthUnit) -> f64 {
 
 /// What stands behind a whole number without a sign, if that is a blank or the end of the block.
 #[inline]
-fn whole_number_in_blanks(text: &[u8]) -> Option<&[u8]> {
+fn behind_whole_number(text: &[u8]) -> Option<&[u8]> {
     let digits = text.iter().position(|byte| !byte.is_ascii_digit())?;
-    (digits > 0 && matches!(text[digits], b' ' | b'\n')).then(|| &text[digits..])
+    let whole = (1..=Decimal::MOST_DIGITS).contains(&digits) && matches!(text[digits], b' ' | b'\n');
+    whole.then(|| &text[digits..])
 }
 
 /// Where a comment ends: behind its closing delimiter, or at the end of the line.

@@ -1,8 +1,8 @@
 //! The usual decimal, eight digits at once: a point and up to eight digits, as nearly every number of a CL file and of a
-//! program is written. [`Decimal`](crate::decimal::Decimal) takes them all, and says the same.
+//! program is written. [`Decimal`](crate::decimal::Decimal) takes all of them, and says the same.
 //!
-//! Two words of eight bytes are taken, one from the first byte on and one from the second: up to the point the digits stand
-//! in the one, and behind it, without the point, in the other.
+//! The digits are the bytes of two words, one from the first byte on and one from the second: up to the point they stand
+//! in the one, and behind it, as if it were not there, in the other.
 
 use crate::decimal::quotient;
 
@@ -36,7 +36,7 @@ fn digits(text: &[u8; WINDOW_BYTES]) -> Option<(u64, usize, usize)> {
     let values = before ^ ((before ^ behind) & from_point) ^ u64::from_le_bytes([b'0'; 8]);
     let count = leading_digits(values);
     let decimals = count.checked_sub(whole)?;
-    let more = text[count + 1].is_ascii_digit();
+    let more = count == 8 && text[WINDOW_BYTES - 1].is_ascii_digit();
     (count > 0 && !more).then(|| (eight_digits(values << (64 - 8 * count)), count, decimals))
 }
 
@@ -61,4 +61,66 @@ fn eight_digits(values: u64) -> u64 {
     let pairs = (values.wrapping_mul((10 << 8) + 1) >> 8) & 0x00FF_00FF_00FF_00FF;
     let fours = (pairs.wrapping_mul((100 << 16) + 1) >> 16) & 0x0000_FFFF_0000_FFFF;
     fours.wrapping_mul((10_000 << 32) + 1) >> 32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::decimal::Decimal;
+
+    /// What [`Decimal`] says of it.
+    fn expected(text: &[u8]) -> Option<(u64, &[u8])> {
+        let negative = text.first() == Some(&b'-');
+        let unsigned = &text[usize::from(negative)..];
+        let decimal = Decimal::leading(unsigned)?;
+        Some((decimal.value(negative).to_bits(), &unsigned[decimal.length..]))
+    }
+
+    fn found(text: &[u8]) -> Option<(u64, &[u8])> {
+        usual_decimal(text).map(|(value, behind)| (value.to_bits(), behind))
+    }
+
+    #[test]
+    fn every_count_of_digits_with_every_byte_behind() {
+        let digits = "91827364";
+        let places = (0..=8).flat_map(|whole| (whole.max(1)..=8).map(move |end| (whole, end)));
+        for ((whole, end), sign) in places.flat_map(|place| ["", "-"].map(|sign| (place, sign))) {
+            for next in 0..=u8::MAX {
+                let mut text = format!("{sign}{}.{}", &digits[..whole], &digits[whole..end]).into_bytes();
+                text.extend([next; 10]);
+                let usual = whole < 8 && !next.is_ascii_digit();
+                assert_eq!(found(&text), expected(&text).filter(|_| usual), "{text:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn whatever_is_taken_is_what_a_decimal_says() {
+        let alphabet = b"0123456789.0123456789.-+ \nXE,:/\xB9\xFF";
+        let mut state = 88_172_645_463_325_252_u64;
+        let mut taken = 0;
+        for _ in 0..500_000 {
+            let text: [u8; 14] = std::array::from_fn(|_| {
+                state ^= state << 13;
+                state ^= state >> 7;
+                state ^= state << 17;
+                alphabet[state as usize % alphabet.len()]
+            });
+            if let Some(found) = found(&text) {
+                taken += 1;
+                assert_eq!(Some(found), expected(&text), "{text:?}");
+            }
+        }
+        assert!(taken > 50_000, "{taken}");
+    }
+
+    #[test]
+    fn what_wants_a_closer_look() {
+        for text in
+            ["", "1.5", "1.5,2,3,4", "15,2,3,4,5,6", ".,2,3,4,5,6,7", "+1.5,2,3,4,5", "1.23456789,0", "--1.5,2,3,4"]
+        {
+            assert_eq!(usual_decimal(text.as_bytes()), None, "{text}");
+        }
+        assert_eq!(found(b"-0.0000,0,0"), Some((0, &b",0,0"[..])));
+    }
 }

@@ -45,11 +45,23 @@ fn what_is_no_block_is_refused() {
         ("X1. Y2. Z3. C5.", 15, Mistake::Missing(3)),
         ("X1234567890123456789.", 0, Mistake::NoWord),
         ("X1. é", 4, Mistake::NoWord),
+        ("N1234567890123456789 X1.", 0, Mistake::NoWord),
+        ("N10 N", 4, Mistake::NoWord),
+        ("X1.2345 Y1.2345 X2.3456 Z1.2345", 16, Mistake::Repeated),
     ];
     for (text, offset, mistake) in cases {
         let mut reader = ReadBack::new(&dialect(), &axes(), 0.0);
         assert_eq!(read(&mut reader, text), Err(ReadError { offset, mistake }), "{text}");
     }
+}
+
+#[test]
+fn only_the_motion_is_read() {
+    let mut reader = ReadBack::new(&dialect(), &axes(), 0.0);
+    let text = b"(not this\nN10 X1.5 Y2.5 Z3.5 A4.5 C5.5\nN20 X6.5\nX7.5\n";
+    let (blocks, joints) = reader.read(text, 10..48).expect("two blocks");
+    assert_eq!((blocks, joints), (2, &[6.5, 2.5, 3.5, 4.5, 5.5][..]));
+    assert_eq!(reader.read(b"N30 X1.5\nN40 $\n", 9..15), Err(ReadError { offset: 4, mistake: Mistake::NoWord }));
 }
 
 /// Small jumps of five joints, the same in every run.
