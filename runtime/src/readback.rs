@@ -23,6 +23,7 @@ pub struct ReadBack {
     joints: Vec<f64>,
     /// The axes that have never been given, the first one in the lowest bit.
     missing: u64,
+    /// What the axes' words look like, in the same order.
     words: Vec<AxisWord>,
     /// The axes by their addresses, the longest first.
     by_address: Vec<usize>,
@@ -109,7 +110,7 @@ impl ReadBack {
         }
     }
 
-    /// Reads the blocks of a motion, which is this range of the text (empty, when nothing had to be printed). Says how many
+    /// Reads a motion: whole blocks in this range of the text (none of them, when nothing had to be printed). Says how many
     /// blocks there were, and what joints they leave the machine at: machine coordinates in mm and degrees, in the
     /// machine's order.
     ///

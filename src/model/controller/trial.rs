@@ -51,8 +51,8 @@ fn unreadable(dialect: &Dialect, approach: Approach) -> Option<String> {
     let joints = vec![0.5; axes.len()];
     let mut text = Vec::new();
     Writer::new(dialect.clone(), &axes).motion(approach, &joints, 0.0, &mut text).ok()?;
-    let read = ReadBack::new(dialect, &axes, 0.0).read(&text, 0..text.len()).map(|_| ());
-    read.is_err().then(|| String::from_utf8_lossy(&text).into_owned())
+    let unreadable = ReadBack::new(dialect, &axes, 0.0).read(&text, 0..text.len()).is_err();
+    unreadable.then(|| String::from_utf8_lossy(&text).into_owned())
 }
 
 /// A feed that any picture prints.
