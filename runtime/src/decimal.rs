@@ -19,10 +19,9 @@ pub(crate) struct Decimal {
 
 impl Decimal {
     /// More digits are not taken: a word of 64 bits holds all numbers of so many.
-    const MOST_DIGITS: usize = 18;
+    pub(crate) const MOST_DIGITS: usize = 18;
 
     /// The decimal that the text begins with, if it does.
-    #[inline]
     pub(crate) fn leading(text: &[u8]) -> Option<Self> {
         let (mut digits, mut length) = leading_digits(text, 0, 0);
         let (mut count, mut decimals) = (length, 0);
@@ -35,18 +34,22 @@ impl Decimal {
         (1..=Self::MOST_DIGITS).contains(&count).then_some(Self { digits, count, decimals, length })
     }
 
-    /// Its value behind a sign, never -0. With up to 15 digits it is the double closest to the decimal: both the digits
-    /// and the power of ten are exact, and so their quotient is rounded once.
-    #[inline]
+    /// Its value behind a sign, as [`quotient`] says.
     pub(crate) fn value(self, negative: bool) -> f64 {
-        // The sign is put on the whole number, which has no -0.
-        let digits = self.digits as i64;
-        (if negative { -digits } else { digits }) as f64 / POWERS_OF_TEN[self.decimals]
+        quotient(self.digits, self.decimals, negative)
     }
 }
 
-/// Appends the digits from one place on to a number, and says where they end. Too many of them wrap around.
+/// The value of digits with so many decimals behind a sign, never -0. With up to 15 digits it is the double closest to the
+/// decimal: both the digits and the power of ten are exact, and so their quotient is rounded once.
 #[inline]
+pub(crate) fn quotient(digits: u64, decimals: usize, negative: bool) -> f64 {
+    // The sign is put on the whole number, which has no -0.
+    let digits = digits as i64;
+    (if negative { -digits } else { digits }) as f64 / POWERS_OF_TEN[decimals]
+}
+
+/// Appends the digits from one place on to a number, and says where they end. Too many of them wrap around.
 fn leading_digits(text: &[u8], mut at: usize, mut number: u64) -> (u64, usize) {
     while let Some(digit) = text.get(at).map(|byte| byte.wrapping_sub(b'0'))
         && digit < 10

@@ -20,4 +20,5 @@ pub mod place;
 pub mod post;
 pub mod readback;
 pub mod render;
+mod usual_decimal;
 pub mod vector;

@@ -32,11 +32,13 @@ impl Frame {
     }
 
     /// A direction of this frame in the frame that this one is given in.
+    #[inline]
     pub fn direction(&self, v: Vec3) -> Vec3 {
         add(add(scale(v[0], self.x), scale(v[1], self.y)), scale(v[2], self.z))
     }
 
     /// A point of this frame, in millimetres, in the frame that this one is given in.
+    #[inline]
     pub fn point(&self, p_mm: Vec3) -> Vec3 {
         add(self.origin_mm, self.direction(p_mm))
     }

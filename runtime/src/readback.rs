@@ -7,37 +7,64 @@
 use crate::decimal::Decimal;
 use crate::machine::{Axis, Motion};
 use crate::nc::dialect::{Dialect, LengthUnit};
+use crate::usual_decimal::usual_decimal;
+use std::cmp::Reverse;
 use std::fmt;
+use std::ops::Range;
 
 /// Reads the motions of one program.
 #[derive(Debug)]
 pub struct ReadBack {
-    axes: Vec<ReadAxis>,
-    /// For each byte, the axis whose address is that one letter.
-    by_letter: [Option<u8>; 256],
-    /// For each byte, whether an axis has that one letter as its name or address.
-    named_by_letter: [bool; 256],
-    /// The axes with longer addresses, the longest first.
+    /// What each byte begins.
+    begins: [Begins; 256],
+    /// What the axes' words mean, in the machine's order.
+    meanings: Vec<Meaning>,
+    /// Where the axes are.
+    joints: Vec<f64>,
+    /// The axes that have never been given, the first one in the lowest bit.
+    missing: u64,
+    /// What the axes' words look like, in the same order.
+    words: Vec<AxisWord>,
+    /// The axes by their addresses, the longest first.
     by_address: Vec<usize>,
     comment: (Vec<u8>, Vec<u8>),
 }
 
-/// An axis' word, and what it was last.
+/// What a byte begins, where one word or block is over.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Begins {
+    /// The next block: the line feed.
+    Block,
+    Blank,
+    /// The word of the axis with this index: the letter is its address, and begins no longer one.
+    AxisWord(u8),
+    /// A word that moves nothing, if any: the letter begins no axis' word, and no comment.
+    OtherWord,
+    /// Only what follows will tell.
+    Unsure,
+}
+
+/// What the number of an axis' word means.
 #[derive(Debug)]
-struct ReadAxis {
-    address: Vec<u8>,
-    name: Vec<u8>,
+struct Meaning {
     /// Millimetres or degrees in the word's unit.
     scale: f64,
     zero: f64,
-    length_share: f64,
-    written: Option<f64>,
+    /// What the length of the tool adds.
+    length_mm: f64,
+}
+
+/// How an axis' word begins, and how it might be taken to begin.
+#[derive(Debug)]
+struct AxisWord {
+    address: Vec<u8>,
+    name: Vec<u8>,
 }
 
 /// Text that is no block of the dialect.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ReadError {
-    /// Where, in bytes from the start of the text.
+    /// Where, in bytes from the start of the motion.
     pub offset: usize,
     /// What is wrong there.
     pub mistake: Mistake,
@@ -57,97 +84,119 @@ pub enum Mistake {
 }
 
 impl ReadBack {
-    /// A reader at the start of a program. `axes` are the machine's, in the order of the dialect's axis words.
-    pub fn new(dialect: &Dialect, axes: &[Axis]) -> Self {
+    /// A reader at the start of a program, with a tool of this length. `axes` are the machine's, in the order of the
+    /// dialect's axis words.
+    pub fn new(dialect: &Dialect, axes: &[Axis], tool_length_mm: f64) -> Self {
         assert_eq!(dialect.axes.len(), axes.len(), "a dialect has one word for each axis of its machine");
-        let words = dialect.axes.iter().zip(axes);
-        let axes: Vec<ReadAxis> = words
-            .map(|(word, axis)| ReadAxis {
-                address: word.address.clone().into_bytes(),
-                name: word.name.clone().into_bytes(),
-                scale: millimetres_or_degrees(axis.motion, dialect.units),
-                zero: axis.zero,
-                length_share: axis.length_share,
-                written: None,
-            })
-            .collect();
-        let mut named_by_letter = [false; 256];
-        for name in axes.iter().flat_map(|axis| [&axis.name, &axis.address]).filter(|name| name.len() == 1) {
-            named_by_letter[usize::from(name[0])] = true;
+        let bytes = |text: &String| text.clone().into_bytes();
+        let comment = (bytes(&dialect.comment.0), bytes(&dialect.comment.1));
+        let words = dialect.axes.iter().map(|word| AxisWord { address: bytes(&word.address), name: bytes(&word.name) });
+        let words: Vec<AxisWord> = words.collect();
+        let mut by_address: Vec<usize> = (0..words.len()).collect();
+        by_address.sort_by_key(|&axis| Reverse(words[axis].address.len()));
+        let meaning = |axis: &Axis| Meaning {
+            scale: millimetres_or_degrees(axis.motion, dialect.units),
+            zero: axis.zero,
+            length_mm: axis.length_share * tool_length_mm,
+        };
+        Self {
+            begins: std::array::from_fn(|byte| begins(byte as u8, &words, &comment.0)),
+            meanings: axes.iter().map(meaning).collect(),
+            joints: vec![0.0; axes.len()],
+            missing: (0..axes.len()).map(|axis| 1 << axis).sum(),
+            words,
+            by_address,
+            comment,
         }
-        let mut by_letter = [None; 256];
-        for (index, axis) in axes.iter().enumerate().filter(|(_, axis)| axis.address.len() == 1) {
-            by_letter[usize::from(axis.address[0])] = u8::try_from(index).ok();
-        }
-        let mut by_address: Vec<usize> = (0..axes.len()).filter(|&index| axes[index].address.len() > 1).collect();
-        by_address.sort_by_key(|&index| std::cmp::Reverse(axes[index].address.len()));
-        let (open, close) = &dialect.comment;
-        let comment = (open.clone().into_bytes(), close.clone().into_bytes());
-        Self { axes, by_letter, named_by_letter, by_address, comment }
     }
 
-    /// Reads the blocks of a motion (none of them, when nothing had to be printed), and gives the joints they leave
-    /// the machine at: machine coordinates in mm and degrees, in the machine's order. Says how many blocks there were.
+    /// Reads a motion: whole blocks in this range of the text (none of them, when nothing had to be printed). Says how many
+    /// blocks there were, and what joints they leave the machine at: machine coordinates in mm and degrees, in the
+    /// machine's order.
     ///
     /// # Errors
     /// When the text is not made of words, or an axis has never been given.
-    pub fn read(&mut self, text: &[u8], tool_length_mm: f64, joints: &mut [f64]) -> Result<u64, ReadError> {
+    pub fn read(&mut self, text: &[u8], motion: Range<usize>) -> Result<(u64, &[f64]), ReadError> {
+        let behind_motion = text.len() - motion.end;
+        let mut rest = &text[motion.start..];
         let mut blocks = 0;
-        let mut given = 0_u64;
-        let mut at = 0;
-        while let Some(byte) = text.get(at) {
-            at = match byte {
-                b'\n' => {
+        let mut given = 0;
+        while rest.len() > behind_motion
+            && let [byte, behind @ ..] = rest
+        {
+            rest = match self.begins[usize::from(*byte)] {
+                Begins::Blank => behind,
+                Begins::Block => {
+                    self.missing &= !given;
                     given = 0;
                     blocks += 1;
-                    at + 1
+                    behind
                 }
-                b' ' | b'\t' | b'\r' => at + 1,
-                _ => self.word(text, at, &mut given).map_err(|mistake| ReadError { offset: at, mistake })?,
+                begins => match self.usual_word(begins, behind, &mut given) {
+                    Some(behind) => behind.strip_prefix(b" ").unwrap_or(behind),
+                    None => {
+                        let at = text.len() - rest.len();
+                        let end = self.any_word(text, at, &mut given);
+                        &text[end.map_err(|mistake| ReadError { offset: at - motion.start, mistake })?..]
+                    }
+                },
             };
         }
-        for (index, (axis, joint)) in self.axes.iter().zip(joints).enumerate() {
-            let missing = ReadError { offset: text.len(), mistake: Mistake::Missing(index) };
-            let written = axis.written.ok_or(missing)?;
-            *joint = written * axis.scale + axis.zero + axis.length_share * tool_length_mm;
+        self.missing &= !given;
+        match self.missing {
+            0 => Ok((blocks, &self.joints)),
+            missing => {
+                let mistake = Mistake::Missing(missing.trailing_zeros() as usize);
+                Err(ReadError { offset: motion.len(), mistake })
+            }
         }
-        Ok(blocks)
     }
 
-    /// Reads one word, and says where it ends.
-    fn word(&mut self, text: &[u8], at: usize, given: &mut u64) -> Result<usize, Mistake> {
-        if let Some((axis, value, end)) = self.axis_word(text, at) {
-            if *given & (1 << axis) != 0 {
-                return Err(Mistake::Repeated);
+    /// Reads a word of the usual kind behind its first letter, and says what stands behind it: an axis' word with a plain
+    /// number, or a sequence number or the like. `None` for all others, which need not be wrong.
+    #[inline]
+    fn usual_word<'a>(&mut self, begins: Begins, text: &'a [u8], given: &mut u64) -> Option<&'a [u8]> {
+        match begins {
+            Begins::AxisWord(axis) => {
+                let (value, behind) = usual_decimal(text)?;
+                self.give(usize::from(axis), value, given).then_some(behind)
             }
-            *given |= 1 << axis;
-            self.axes[axis].written = Some(value);
-            return Ok(end);
+            Begins::OtherWord => behind_whole_number(text),
+            _ => None,
         }
-        if self.comment.0.first() == Some(&text[at]) && text[at..].starts_with(&self.comment.0) {
-            return comment_end(text, at + self.comment.0.len(), &self.comment.1).ok_or(Mistake::OpenComment);
+    }
+
+    /// Reads a word, whatever it is, and says where it ends.
+    #[cold]
+    fn any_word(&mut self, text: &[u8], at: usize, given: &mut u64) -> Result<usize, Mistake> {
+        if let Some((axis, value, end)) = self.axis_word(text, at) {
+            self.give(axis, value, given).then_some(end).ok_or(Mistake::Repeated)
+        } else if text[at..].starts_with(&self.comment.0) && !self.comment.0.is_empty() {
+            comment_end(text, at + self.comment.0.len(), &self.comment.1).ok_or(Mistake::OpenComment)
+        } else {
+            self.other_word(text, at).ok_or(Mistake::NoWord)
         }
-        self.other_word(text, at).ok_or(Mistake::NoWord)
+    }
+
+    /// Moves an axis to what its word says. False when the block has done so before.
+    #[inline]
+    fn give(&mut self, axis: usize, value: f64, given: &mut u64) -> bool {
+        let bit = 1 << axis;
+        let first = *given & bit == 0;
+        if first {
+            *given |= bit;
+            let word = &self.meanings[axis];
+            self.joints[axis] = value * word.scale + word.zero + word.length_mm;
+        }
+        first
     }
 
     /// An axis, its number, and the end of its word.
-    #[inline]
     fn axis_word(&self, text: &[u8], at: usize) -> Option<(usize, f64, usize)> {
-        let (axis, address_end) = self.address(text, at)?;
-        let (value, end) = number(text, address_end)?;
+        let begins_here = |axis: &&usize| text[at..].starts_with(&self.words[**axis].address);
+        let axis = *self.by_address.iter().find(begins_here)?;
+        let (value, end) = number(text, at + self.words[axis].address.len())?;
         Some((axis, value, end))
-    }
-
-    /// The axis whose address stands here, and the end of the address.
-    #[inline]
-    fn address(&self, text: &[u8], at: usize) -> Option<(usize, usize)> {
-        let long = self.by_address.iter().map(|&axis| (axis, &self.axes[axis].address));
-        for (axis, address) in long {
-            if text[at..].starts_with(address) {
-                return Some((axis, at + address.len()));
-            }
-        }
-        self.by_letter[usize::from(text[at])].map(|axis| (usize::from(axis), at + 1))
     }
 
     /// The end of a word that moves nothing: `G1`, `F500.`, `S1=3000`, `SUPA`; none for anything else, and none for a
@@ -165,10 +214,8 @@ impl ReadBack {
             None if letters > 1 => (behind, behind),
             None => return None,
         };
-        let is_axis = match &text[at..name_end] {
-            [letter] => self.named_by_letter[usize::from(*letter)],
-            name => self.axes.iter().any(|axis| axis.name == name || axis.address == name),
-        };
+        let name = &text[at..name_end];
+        let is_axis = self.words.iter().any(|axis| axis.name == name || axis.address == name);
         (!is_axis).then_some(end)
     }
 }
@@ -186,12 +233,36 @@ impl fmt::Display for ReadError {
 
 impl std::error::Error for ReadError {}
 
+/// What a byte begins, between words.
+fn begins(byte: u8, axes: &[AxisWord], comment: &[u8]) -> Begins {
+    let addressed = |axis: &AxisWord| axis.address.first() == Some(&byte);
+    let named = |axis: &AxisWord| axis.name.first() == Some(&byte);
+    let unsure = axes.iter().any(|axis| addressed(axis) && axis.address.len() > 1);
+    match axes.iter().position(addressed).map(u8::try_from) {
+        _ if byte == b'\n' => Begins::Block,
+        _ if matches!(byte, b' ' | b'\t' | b'\r') => Begins::Blank,
+        Some(Ok(axis)) if !unsure => Begins::AxisWord(axis),
+        None if byte.is_ascii_uppercase() && !axes.iter().any(named) && comment.first() != Some(&byte) => {
+            Begins::OtherWord
+        }
+        _ => Begins::Unsure,
+    }
+}
+
 /// What a word's unit is in millimetres or degrees.
 fn millimetres_or_degrees(motion: Motion, units: LengthUnit) -> f64 {
     match (motion, units) {
         (Motion::Linear, LengthUnit::Inch) => 25.4,
         _ => 1.0,
     }
+}
+
+/// What stands behind a whole number without a sign, if that is a blank or the end of the block.
+#[inline]
+fn behind_whole_number(text: &[u8]) -> Option<&[u8]> {
+    let digits = text.iter().position(|byte| !byte.is_ascii_digit())?;
+    let whole = (1..=Decimal::MOST_DIGITS).contains(&digits) && matches!(text[digits], b' ' | b'\n');
+    whole.then(|| &text[digits..])
 }
 
 /// Where a comment ends: behind its closing delimiter, or at the end of the line.
@@ -204,7 +275,6 @@ fn comment_end(text: &[u8], at: usize, close: &[u8]) -> Option<usize> {
 }
 
 /// The number that begins here (`-12.5`, `25.`, `.5`), and its end.
-#[inline]
 fn number(text: &[u8], at: usize) -> Option<(f64, usize)> {
     let sign = text.get(at).filter(|byte| matches!(byte, b'-' | b'+'));
     let start = at + usize::from(sign.is_some());

@@ -1,18 +1,25 @@
 //! Numbers of CL text.
 
 use crate::decimal::Decimal;
+use crate::usual_decimal::usual_decimal;
 
 /// With more digits, a plain decimal is not sure to be the closest double.
 const MOST_PLAIN_DIGITS: usize = 15;
 
-/// A plain decimal (`-12.3456`, `.5`, `25.`) at the start of `text`, and how many bytes it takes. `None` when there is
-/// none or when it has more than 15 digits: [`number`] decides those.
+/// A plain decimal (`-12.3456`, `.5`, `25.`) at the start of `text`, and what stands behind it. `None` when there is none
+/// or when it has more than 15 digits: [`number`] decides those.
 #[inline]
-pub(super) fn leading_decimal(text: &[u8]) -> Option<(f64, usize)> {
+pub(super) fn plain_decimal(text: &[u8]) -> Option<(f64, &[u8])> {
+    usual_decimal(text).or_else(|| unusual_decimal(text))
+}
+
+#[cold]
+#[inline(never)]
+fn unusual_decimal(text: &[u8]) -> Option<(f64, &[u8])> {
     let negative = text.first() == Some(&b'-');
-    let sign = usize::from(negative);
-    let decimal = Decimal::leading(&text[sign..]).filter(|decimal| decimal.count <= MOST_PLAIN_DIGITS)?;
-    Some((decimal.value(negative), sign + decimal.length))
+    let unsigned = &text[usize::from(negative)..];
+    let decimal = Decimal::leading(unsigned).filter(|decimal| decimal.count <= MOST_PLAIN_DIGITS)?;
+    Some((decimal.value(negative), &unsigned[decimal.length..]))
 }
 
 /// The whole text as a number: decimals with or without a leading zero, a trailing point, an exponent.
@@ -33,19 +40,19 @@ mod tests {
             ["0", "25.", ".5", "-.5", "-12.3456", "0.9138645", "123456789.012345", "-0.0000000", "999999999999999"]
         {
             let expected: f64 = text.parse().unwrap();
-            let (value, length) = leading_decimal(text.as_bytes()).unwrap();
+            let (value, rest) = plain_decimal(text.as_bytes()).unwrap();
             assert_eq!(value.to_bits(), (expected + 0.0).to_bits(), "{text}");
-            assert_eq!(length, text.len());
+            assert!(rest.is_empty(), "{text}");
         }
     }
 
     #[test]
     fn what_is_not_plain_is_left() {
         for text in ["", "-", ".", "-.", "+1", "x", "1234567890.123456"] {
-            assert_eq!(leading_decimal(text.as_bytes()), None, "{text}");
+            assert_eq!(plain_decimal(text.as_bytes()), None, "{text}");
         }
-        assert_eq!(leading_decimal(b"1.5,2"), Some((1.5, 3)));
-        assert_eq!(leading_decimal(b"1.5E3"), Some((1.5, 3)));
+        assert_eq!(plain_decimal(b"1.5,2"), Some((1.5, &b",2"[..])));
+        assert_eq!(plain_decimal(b"1.5E3"), Some((1.5, &b"E3"[..])));
     }
 
     #[test]

@@ -1,37 +1,33 @@
 //! The bulk of every CL file: lines that hold a GOTO and nothing else.
 
-use crate::cl::number::leading_decimal;
+use crate::cl::number::plain_decimal;
 use crate::vector::Vec3;
 
 /// A line that is a GOTO of three or six plain numbers: tip, axis, and how many bytes the line takes. `None` for anything
 /// else, which need not be wrong.
 #[inline]
 pub(super) fn plain_goto(lines: &[u8]) -> Option<(Vec3, Option<Vec3>, usize)> {
-    let mut at = 5;
+    let mut rest = lines.strip_prefix(b"GOTO/")?;
     let mut numbers = [0.0; 6];
     let mut count = 0;
-    if !lines.starts_with(b"GOTO/") {
-        return None;
-    }
     loop {
-        let (value, length) = leading_decimal(&lines[at..])?;
+        let (value, behind) = plain_decimal(rest)?;
         *numbers.get_mut(count)? = value;
         count += 1;
-        at += length + 1;
-        match lines.get(at - 1)? {
-            b',' => {}
-            b'\n' => break,
-            b'\r' if lines.get(at) == Some(&b'\n') => {
-                at += 1;
+        rest = match behind {
+            [b',', behind @ ..] => behind,
+            [b'\n', behind @ ..] | [b'\r', b'\n', behind @ ..] => {
+                rest = behind;
                 break;
             }
             _ => return None,
-        }
+        };
     }
+    let length = lines.len() - rest.len();
     let [x, y, z, i, j, k] = numbers;
     match count {
-        3 => Some(([x, y, z], None, at)),
-        6 => Some(([x, y, z], Some([i, j, k]), at)),
+        3 => Some(([x, y, z], None, length)),
+        6 => Some(([x, y, z], Some([i, j, k]), length)),
         _ => None,
     }
 }

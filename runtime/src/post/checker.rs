@@ -22,8 +22,6 @@ pub(super) struct Checker<'a, K> {
     poses: PoseBlock,
     /// Where the CL wants it.
     wanted: PoseBlock,
-    /// The joints of one point.
-    joint_values: Vec<f64>,
 }
 
 impl<'a, K: Kinematics> Checker<'a, K> {
@@ -33,18 +31,17 @@ impl<'a, K: Kinematics> Checker<'a, K> {
             job,
             kinematics: Compensated::new(kinematics, job.machine),
             nc,
-            readback: ReadBack::new(job.dialect, axes),
+            readback: ReadBack::new(job.dialect, axes, job.machine.tool_length_mm),
             certificate: Certificate::new(axes),
             joints: vec![[0.0; LANES]; axes.len()],
             poses: PoseBlock::ZERO,
             wanted: PoseBlock::ZERO,
-            joint_values: vec![0.0; axes.len()],
         }
     }
 
     /// Reads a stretch back, compares where it takes the tool with where the CL wants it, and writes it out.
     pub(super) fn check(&mut self, stretch: &Stretch) -> io::Result<()> {
-        let joints = stretch.joints.chunks(LANES * self.joint_values.len());
+        let joints = stretch.joints.chunks(LANES * self.joints.len());
         for (printed, joints) in stretch.printed.chunks(LANES).zip(joints) {
             self.watch(printed, joints, &stretch.points);
             self.read(printed, stretch);
@@ -61,7 +58,7 @@ impl<'a, K: Kinematics> Checker<'a, K> {
 
     /// Notes where the axes go and how far the rotaries turn.
     fn watch(&mut self, printed: &[PrintedPoint], joints: &[f64], points: &[Point]) {
-        for (printed, joints) in printed.iter().zip(joints.chunks(self.joint_values.len())) {
+        for (printed, joints) in printed.iter().zip(joints.chunks(self.joints.len())) {
             let line = points[printed.point].line;
             self.certificate.visit(line, joints);
             if let Some(step_deg) = printed.rotary_step_deg {
@@ -73,13 +70,15 @@ impl<'a, K: Kinematics> Checker<'a, K> {
     /// Reads the text of up to [`LANES`] points.
     fn read(&mut self, printed: &[PrintedPoint], stretch: &Stretch) {
         for (lane, printed) in printed.iter().enumerate() {
-            let text = &stretch.text[printed.text.clone()];
-            let read = self.readback.read(text, self.job.machine.tool_length_mm, &mut self.joint_values);
-            self.certificate.blocks += read.unwrap_or_else(|error| {
-                let (line, text) = (stretch.points[printed.point].line, String::from_utf8_lossy(text));
+            let motion = printed.text.clone();
+            let read = self.readback.read(&stretch.text, motion.clone());
+            let (blocks, joints) = read.unwrap_or_else(|error| {
+                let line = stretch.points[printed.point].line;
+                let text = String::from_utf8_lossy(&stretch.text[motion]);
                 panic!("the text printed for CL line {line} must read back, but: {error}\n{text}")
             });
-            for (joint, value) in self.joints.iter_mut().zip(&self.joint_values) {
+            self.certificate.blocks += blocks;
+            for (joint, value) in self.joints.iter_mut().zip(joints) {
                 joint[lane] = *value;
             }
         }

@@ -48,11 +48,11 @@ pub(super) fn read_back(lowering: &mut Lowering<'_>, dialect: &Dialect) {
 /// The text of a motion by the dialect's only block, if it cannot be read.
 fn unreadable(dialect: &Dialect, approach: Approach) -> Option<String> {
     let axes: Vec<Axis> = dialect.axes.iter().map(|word| any_axis(&word.name)).collect();
-    let mut joints = vec![0.5; axes.len()];
+    let joints = vec![0.5; axes.len()];
     let mut text = Vec::new();
     Writer::new(dialect.clone(), &axes).motion(approach, &joints, 0.0, &mut text).ok()?;
-    let read = ReadBack::new(dialect, &axes).read(&text, 0.0, &mut joints);
-    read.is_err().then(|| String::from_utf8_lossy(&text).into_owned())
+    let unreadable = ReadBack::new(dialect, &axes, 0.0).read(&text, 0..text.len()).is_err();
+    unreadable.then(|| String::from_utf8_lossy(&text).into_owned())
 }
 
 /// A feed that any picture prints.
