@@ -1,5 +1,6 @@
 //! One solution of the inverse, with whole turns chosen and the travel looked at.
 
+use super::preference::TIE_DEG;
 use crate::kinematics::Lane;
 use crate::machine::{Axis, Motion, Rule, Travel};
 
@@ -167,22 +168,22 @@ fn turned(angle: f64, reference: f64) -> f64 {
     angle + 360.0 * nearest_turns(reference - angle)
 }
 
-/// The half turn is written as positive.
+/// The half turn is written as positive, on whichever side of it rounding has put the angle.
 #[inline]
 fn positive_half_turn(angle: f64) -> f64 {
-    if angle == -180.0 { 180.0 } else { angle }
+    if angle < TIE_DEG - 180.0 { angle + 360.0 } else { angle }
 }
 
 /// The whole turns that come nearest to so many degrees, the fewer of two equally near.
 #[inline]
 fn nearest_turns(apart_deg: f64) -> f64 {
     let size_deg = apart_deg.abs();
-    if size_deg <= 180.0 {
+    if size_deg <= 180.0 + TIE_DEG {
         0.0
-    } else if size_deg <= 540.0 {
+    } else if size_deg <= 540.0 + TIE_DEG {
         1.0_f64.copysign(apart_deg)
     } else {
-        (size_deg / 360.0 - 0.5).ceil().copysign(apart_deg)
+        ((size_deg - TIE_DEG) / 360.0 - 0.5).ceil().copysign(apart_deg)
     }
 }
 
@@ -221,8 +222,13 @@ mod tests {
             (5.0, 3600.0, 3605.0),
             (5.0, -545.0, -715.0),
             (90.0, 630.0, 450.0),
+            (-180.0 + 1e-13, 0.0, 180.0 + 1e-13),
+            (10.0, 190.0 + 1e-12, 10.0),
+            (10.0, -170.0 - 1e-12, 10.0),
+            (10.0, 550.0 + 1e-12, 370.0),
+            (10.0, 910.0 + 1e-12, 730.0),
         ] {
-            assert_eq!(turned(angle, reference), expected, "{angle} near {reference}");
+            assert!((turned(angle, reference) - expected).abs() < 1e-12, "{angle} near {reference}");
         }
     }
 

@@ -3,8 +3,8 @@
 use super::candidate::Candidate;
 use crate::machine::Preference;
 
-/// Angles that differ by less than this, in degrees, are equal to a preference: rounding must not decide.
-const TIE_DEG: f64 = 1e-9;
+/// Angles that differ by less than this, in degrees, are equal: rounding must not decide.
+pub(super) const TIE_DEG: f64 = 1e-9;
 
 /// The list with what decides where it leaves a choice open: the least rotary travel.
 pub(super) fn complete(order: &[Preference]) -> Vec<Preference> {
@@ -16,10 +16,8 @@ pub(super) fn complete(order: &[Preference]) -> Vec<Preference> {
 pub(super) fn best(candidates: &[Candidate], order: &[Preference]) -> Option<usize> {
     let mut admissible = (0..candidates.len()).filter(|&index| candidates[index].obstacle.is_none());
     let first = admissible.next()?;
-    Some(
-        admissible
-            .fold(first, |best, index| better(candidates, best, index, order, |candidate| candidate.rotary_travel_deg)),
-    )
+    let travel_deg = |candidate: &Candidate| candidate.rotary_travel_deg;
+    Some(admissible.fold(first, |best, index| better(candidates, best, index, order, travel_deg)))
 }
 
 /// The index of the best candidate if there were no limits of the travel.
