@@ -194,6 +194,25 @@ fn joint_values_that_are_none() {
 }
 
 #[test]
+fn joint_values_of_other_axes() {
+    let workshop = Workshop::new("other_joints");
+    for (line, said) in [
+        ("[1,2,3,4,5,6]", "6 values for 5 axes: X, Y, Z, A, C"),
+        ("[1,2,3,4]", "4 values for 5 axes: X, Y, Z, A, C"),
+        ("[1,2,3,4,\"5\"]", "the value of axis C is not a number"),
+        (r#"{"X":1,"Y":2,"Z":3,"A":4,"C":5,"W":6}"#, "the machine has no axis W\n"),
+        (r#"{"X":1,"Y":2,"Z":3,"a":4,"C":5}"#, "the machine has no axis a, and there is no value for axis A\n"),
+        (r#"{"X":1,"Y":2,"Z":3}"#, "]: there is no value for axis A, C\n"),
+        (r#"{"X":1,"Y":2,"Z":3,"A":null,"C":5}"#, "the value of axis A is not a number"),
+        ("5", "this is neither an object nor an array"),
+    ] {
+        let run = workshop.run_with(&["solve", "--joints", "mill.mach", "-"], line);
+        assert_eq!((run.status, run.stdout.as_str()), (1, ""), "{line}");
+        assert!(run.stderr.starts_with("error[E1040]: ") && run.stderr.contains(said), "{line}: {}", run.stderr);
+    }
+}
+
+#[test]
 fn formatting_in_place_and_to_standard_output() {
     let workshop = Workshop::new("fmt");
     workshop.write("untidy.mach", &machc::MILL.replace("    ", "  "));
