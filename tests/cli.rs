@@ -61,6 +61,15 @@ fn files_that_are_not_there_are_no_mistake_of_the_input() {
 }
 
 #[test]
+fn a_folder_that_is_not_there_is_named() {
+    let workshop = Workshop::new("no-folder");
+    for (file, folder) in [("no/such/part.nc", "no/such"), ("part.cls/part.nc", "part.cls")] {
+        let run = workshop.run(&["post", "mill.mach", "part.cls", "-o", file]);
+        assert_eq!(run.stderr, format!("error: cannot write `{file}`: there is no folder `{folder}`\n"));
+    }
+}
+
+#[test]
 fn a_program_goes_to_standard_output_and_the_certificate_beside_it() {
     let workshop = Workshop::new("stdout");
     let run = workshop.run(&["post", "mill.mach", "part.cls"]);
