@@ -48,9 +48,11 @@ pub fn cannot_read(path: &str, error: &io::Error) -> Failure {
 /// A file that cannot be written.
 pub fn cannot_write(path: &str, error: &io::Error) -> Failure {
     let folder = Path::new(path).parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.is_dir());
-    let why = match folder {
-        Some(folder) => format!("there is no folder `{}`", folder.display()),
-        None => reason(error),
+    let why = match (error.kind(), folder) {
+        (ErrorKind::NotFound | ErrorKind::NotADirectory, Some(folder)) => {
+            format!("there is no folder `{}`", folder.display())
+        }
+        _ => reason(error),
     };
     Failure(format!("cannot write `{path}`: {why}"))
 }
