@@ -132,6 +132,20 @@ fn source_code_appears_whole_or_not_at_all() {
 }
 
 #[test]
+fn generated_source_names_no_folder_of_ones_own() {
+    let (workshop, elsewhere) = (Workshop::new("emit_here"), Workshop::new("emit_elsewhere"));
+    let outside = elsewhere.path("mill.mach");
+    for form in ["rust", "c"] {
+        let wanted = workshop.run(&["emit", form, "mill.mach"]).stdout;
+        assert!(wanted.contains("from mill.mach") && wanted.contains("// mill.mach:"), "{wanted}");
+        let inside = workshop.path("mill.mach").canonicalize().unwrap();
+        for path in [&inside, &outside] {
+            assert_eq!(workshop.run(&["emit", form, path.to_str().unwrap()]).stdout, wanted);
+        }
+    }
+}
+
+#[test]
 fn diagnostics_and_certificates_for_tools() {
     let workshop = Workshop::new("json");
     let run = workshop.run(&["--json", "post", "mill.mach", "part.cls"]);
