@@ -2,15 +2,17 @@
 
 use crate::machc::{MILL, Workshop};
 
-const FAMILIES: [&str; 8] = [
+const FAMILIES: [&str; 10] = [
     "three-axis",
     "four-axis",
     "turning-centre",
     "trunnion",
+    "trunnion-measured",
     "trunnion-bc",
     "nutating-table",
     "head-table",
     "head-head",
+    "six-axis",
 ];
 
 #[test]
