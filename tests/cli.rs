@@ -61,6 +61,15 @@ fn files_that_are_not_there_are_no_mistake_of_the_input() {
 }
 
 #[test]
+fn a_folder_that_is_not_there_is_named() {
+    let workshop = Workshop::new("no-folder");
+    for (file, folder) in [("no/such/part.nc", "no/such"), ("part.cls/part.nc", "part.cls")] {
+        let run = workshop.run(&["post", "mill.mach", "part.cls", "-o", file]);
+        assert_eq!(run.stderr, format!("error: cannot write `{file}`: there is no folder `{folder}`\n"));
+    }
+}
+
+#[test]
 fn a_program_goes_to_standard_output_and_the_certificate_beside_it() {
     let workshop = Workshop::new("stdout");
     let run = workshop.run(&["post", "mill.mach", "part.cls"]);
@@ -120,6 +129,20 @@ fn source_code_appears_whole_or_not_at_all() {
     assert_eq!((run.status, run.stdout.as_str()), (1, ""));
     assert!(run.stderr.starts_with("error[E0602]") && run.stderr.contains("--> renamed.mach:6:"), "{}", run.stderr);
     assert_eq!(workshop.read("source"), before);
+}
+
+#[test]
+fn generated_source_names_no_folder_of_ones_own() {
+    let (workshop, elsewhere) = (Workshop::new("emit_here"), Workshop::new("emit_elsewhere"));
+    let outside = elsewhere.path("mill.mach");
+    for form in ["rust", "c"] {
+        let wanted = workshop.run(&["emit", form, "mill.mach"]).stdout;
+        assert!(wanted.contains("from mill.mach") && wanted.contains("// mill.mach:"), "{wanted}");
+        let inside = workshop.path("mill.mach").canonicalize().unwrap();
+        for path in [&inside, &outside] {
+            assert_eq!(workshop.run(&["emit", form, path.to_str().unwrap()]).stdout, wanted);
+        }
+    }
 }
 
 #[test]
@@ -191,6 +214,25 @@ fn joint_values_that_are_none() {
     assert_eq!(run.stdout.lines().count(), 1);
     assert_eq!(run.stderr.matches("error[E1040]").count(), 2, "{}", run.stderr);
     assert!(run.stderr.contains("--> <stdin>:3:1\n"), "{}", run.stderr);
+}
+
+#[test]
+fn joint_values_of_other_axes() {
+    let workshop = Workshop::new("other_joints");
+    for (line, said) in [
+        ("[1,2,3,4,5,6]", "6 values for 5 axes: X, Y, Z, A, C"),
+        ("[1,2,3,4]", "4 values for 5 axes: X, Y, Z, A, C"),
+        ("[1,2,3,4,\"5\"]", "the value of axis C is not a number"),
+        (r#"{"X":1,"Y":2,"Z":3,"A":4,"C":5,"W":6}"#, "the machine has no axis W\n"),
+        (r#"{"X":1,"Y":2,"Z":3,"a":4,"C":5}"#, "the machine has no axis a, and there is no value for axis A\n"),
+        (r#"{"X":1,"Y":2,"Z":3}"#, "]: there is no value for axis A, C\n"),
+        (r#"{"X":1,"Y":2,"Z":3,"A":null,"C":5}"#, "the value of axis A is not a number"),
+        ("5", "this is neither an object nor an array"),
+    ] {
+        let run = workshop.run_with(&["solve", "--joints", "mill.mach", "-"], line);
+        assert_eq!((run.status, run.stdout.as_str()), (1, ""), "{line}");
+        assert!(run.stderr.starts_with("error[E1040]: ") && run.stderr.contains(said), "{line}: {}", run.stderr);
+    }
 }
 
 #[test]

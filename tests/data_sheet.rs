@@ -49,6 +49,11 @@ fn an_orthogonal_trunnion_has_the_equations_of_the_textbook() {
 }
 
 #[test]
+fn a_proof_without_rounding_is_within_nothing() {
+    assert_eq!(section(&sheet("vmc3"), "proof")[1], "tip within 0 mm, tool axis within 0 rad");
+}
+
+#[test]
 fn a_nutating_table_tells_its_cone() {
     let sheet = sheet("dmu50ev");
     assert!(sheet.contains("family  5 axes, table/table, nutating at 45 deg\n"), "{sheet}");

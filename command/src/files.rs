@@ -47,7 +47,14 @@ pub fn cannot_read(path: &str, error: &io::Error) -> Failure {
 
 /// A file that cannot be written.
 pub fn cannot_write(path: &str, error: &io::Error) -> Failure {
-    Failure(format!("cannot write `{path}`: {}", reason(error)))
+    let folder = Path::new(path).parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.is_dir());
+    let why = match (error.kind(), folder) {
+        (ErrorKind::NotFound | ErrorKind::NotADirectory, Some(folder)) => {
+            format!("there is no folder `{}`", folder.display())
+        }
+        _ => reason(error),
+    };
+    Failure(format!("cannot write `{path}`: {why}"))
 }
 
 /// Why, in words for people.

@@ -44,10 +44,12 @@ pub(crate) fn check(draft: &Draft<'_>) -> Vec<Diagnostic> {
     let (linear, rotary) = (draft.solved(Motion::Linear), draft.solved(Motion::Rotary));
     let most_rotary = if linear.len() == 2 { 1 } else { 2 };
     let mut found = Vec::new();
-    if linear.len() > 3 {
+    // A rule for an axis that is not there was meant for one of the others, and is told: nobody knows which are left.
+    let is_known = draft.ruled.iter().all(|ruled| draft.axis(&ruled.axis.value.value).is_some());
+    if is_known && linear.len() > 3 {
         found.push(too_many(draft, &linear, 3, "linear"));
     }
-    if rotary.len() > most_rotary {
+    if is_known && rotary.len() > most_rotary {
         found.push(too_many(draft, &rotary, most_rotary, "rotary"));
     }
     if linear.len() < 2 || linear.len() == 2 && rotary.is_empty() {

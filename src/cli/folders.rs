@@ -1,8 +1,9 @@
 //! Where machine files come from.
 
+use std::env;
 use std::fs;
 use std::io::ErrorKind;
-use std::path::{Component, Path};
+use std::path::{Component, Path, PathBuf};
 
 use mach_command::files::{reason, text};
 use machc::compile::Sources;
@@ -34,4 +35,39 @@ impl Sources for Folders<'_> {
 fn is_same(a: &str, b: &str) -> bool {
     let parts = |path| Path::new(path).components().filter(|part| *part != Component::CurDir);
     parts(a).eq(parts(b))
+}
+
+/// What generated text calls a file: its path as seen from the current folder, and of a file elsewhere its name alone. Where
+/// somebody keeps their files is nobody else's business, and would make the text differ from place to place.
+pub(super) fn generated_name(path: &str) -> String {
+    name_seen_from(&env::current_dir().unwrap_or_default(), path)
+}
+
+fn name_seen_from(here: &Path, path: &str) -> String {
+    let full = here.join(path).components().fold(PathBuf::new(), |folder, part| match part {
+        Component::ParentDir => folder.parent().map(Path::to_owned).unwrap_or_default(),
+        part => folder.join(part),
+    });
+    let inside = full.strip_prefix(here).ok().or_else(|| full.file_name().map(Path::new)).unwrap_or(&full);
+    inside.components().map(|part| part.as_os_str().to_string_lossy()).collect::<Vec<_>>().join("/")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::name_seen_from;
+    use std::path::Path;
+
+    #[test]
+    fn generated_text_names_no_folder_outside() {
+        for (path, name) in [
+            ("machines/a.mach", "machines/a.mach"),
+            ("/home/me/mill/machines/a.mach", "machines/a.mach"),
+            ("../mill/machines/a.mach", "machines/a.mach"),
+            ("/home/me/a.mach", "a.mach"),
+            ("../turn/machines/a.mach", "a.mach"),
+            ("-", "-"),
+        ] {
+            assert_eq!(name_seen_from(Path::new("/home/me/mill"), path), name);
+        }
+    }
 }

@@ -14,7 +14,7 @@ use mach_runtime::vector::sub;
 use machc::diagnostic::{Code, Diagnostic, Place};
 use machc::plan::Interpreter;
 use serde::Serialize;
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 use super::machine::Prepared;
 
@@ -23,13 +23,13 @@ const LONGEST_LINE_BYTES: u64 = 64 * 1024;
 /// So many errors are told; then it is enough.
 const MOST_ERRORS: usize = 20;
 
-/// A line without the values of all axes.
+/// A line that does not hold the values of all axes, or holds others.
 pub(super) static BAD_JOINTS: Code = Code {
     id: "E1040",
     title: "a line does not hold the machine's joint values",
     explanation: "\
-`machc solve --joints` reads one JSON object a line with the value of every axis of the machine, in millimetres and degrees,
-in machine coordinates:
+`machc solve --joints` reads one JSON object a line with the value of every axis of the machine and nothing else, in
+millimetres and degrees, in machine coordinates:
 
     {\"X\": 10.0, \"Y\": 0.0, \"Z\": -20.5, \"A\": 30.0, \"C\": 90.0}
 
@@ -78,13 +78,40 @@ fn values(machine: &Machine, text: &str) -> Result<Option<Vec<f64>>, String> {
         return Ok(None);
     }
     let parsed: Value = serde_json::from_str(text).map_err(|error| format!("this is not JSON: {error}"))?;
-    let parsed = parsed.get("joints").unwrap_or(&parsed);
-    let value = |(index, axis): (usize, &mach_runtime::machine::Axis)| {
-        let value = if parsed.is_array() { parsed.get(index) } else { parsed.get(&axis.name) };
-        let value = value.and_then(Value::as_f64).filter(|value| value.is_finite());
-        value.ok_or_else(|| format!("there is no value for axis {}", axis.name))
-    };
-    machine.axes.iter().enumerate().map(value).collect::<Result<_, _>>().map(Some)
+    match parsed.get("joints").unwrap_or(&parsed) {
+        Value::Object(values) => by_name(machine, values),
+        Value::Array(values) => in_order(machine, values),
+        _ => Err("this is neither an object nor an array".to_owned()),
+    }
+    .map(Some)
+}
+
+fn by_name(machine: &Machine, values: &Map<String, Value>) -> Result<Vec<f64>, String> {
+    let names: Vec<&str> = machine.axes.iter().map(|axis| axis.name.as_str()).collect();
+    let unknown: Vec<&str> = values.keys().map(String::as_str).filter(|key| !names.contains(key)).collect();
+    let missing: Vec<&str> = names.iter().copied().filter(|name| !values.contains_key(*name)).collect();
+    let wrong: Vec<String> = [("the machine has no axis", unknown), ("there is no value for axis", missing)]
+        .into_iter()
+        .filter(|(_, axes)| !axes.is_empty())
+        .map(|(what, axes)| format!("{what} {}", axes.join(", ")))
+        .collect();
+    match &wrong[..] {
+        [] => names.iter().map(|name| number(name, &values[*name])).collect(),
+        wrong => Err(wrong.join(", and ")),
+    }
+}
+
+fn in_order(machine: &Machine, values: &[Value]) -> Result<Vec<f64>, String> {
+    let names: Vec<&str> = machine.axes.iter().map(|axis| axis.name.as_str()).collect();
+    if names.len() != values.len() {
+        return Err(format!("{} values for {} axes: {}", values.len(), names.len(), names.join(", ")));
+    }
+    names.iter().zip(values).map(|(name, value)| number(name, value)).collect()
+}
+
+/// JSON has no number that is not finite.
+fn number(name: &str, value: &Value) -> Result<f64, String> {
+    value.as_f64().ok_or_else(|| format!("the value of axis {name} is not a number"))
 }
 
 fn pose(machine: &Machine, kinematics: &mut dyn Kinematics, values: &[f64], line: u64) -> Pose {
@@ -97,5 +124,5 @@ fn pose(machine: &Machine, kinematics: &mut dyn Kinematics, values: &[f64], line
 
 fn refused(file: &str, line: u64, text: &str, message: String) -> Diagnostic {
     let place = Place { excerpt: text.to_owned(), end: text.len(), ..Place::line(shown(file), line) };
-    Diagnostic::error(&BAD_JOINTS, message).at(place, "expected the values of all axes")
+    Diagnostic::error(&BAD_JOINTS, message).at(place, "expected the values of all axes, and no others")
 }

@@ -14,7 +14,7 @@ use machc::model::machine::Model;
 use machc::model::origin::Origins;
 use machc::plan::Plan;
 
-use super::folders::Folders;
+use super::folders::{Folders, generated_name};
 
 /// The code of a file that cannot be read; without a place it is the one that the arguments name.
 const CANNOT_READ: &str = "E0201";
@@ -50,7 +50,8 @@ pub(super) fn compiled(file: &str, report: &Report) -> Result<Option<Compiled>, 
 
 fn compiled_in(base: &Path, file: &str, report: &Report) -> Result<Option<Compiled>, Failure> {
     match compile(file, &Folders { base, entry: file }) {
-        Ok(compiled) => {
+        Ok(mut compiled) => {
+            compiled.origins.call_files(generated_name);
             report.tell(&compiled.warnings);
             Ok(Some(compiled))
         }

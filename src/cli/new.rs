@@ -26,7 +26,7 @@ struct Family {
     text: &'static str,
 }
 
-const FAMILIES: [Family; 8] = [
+const FAMILIES: [Family; 10] = [
     Family { name: "three-axis", what: "X, Y and Z", text: include_str!("families/three-axis.mach") },
     Family { name: "four-axis", what: "X, Y, Z and a rotary table A", text: include_str!("families/four-axis.mach") },
     Family {
@@ -35,6 +35,11 @@ const FAMILIES: [Family; 8] = [
         text: include_str!("families/turning-centre.mach"),
     },
     Family { name: "trunnion", what: "table C on a cradle A", text: include_str!("families/trunnion.mach") },
+    Family {
+        name: "trunnion-measured",
+        what: "table C on a cradle A, with measured errors",
+        text: include_str!("families/trunnion-measured.mach"),
+    },
     Family { name: "trunnion-bc", what: "table C on a cradle B", text: include_str!("families/trunnion-bc.mach") },
     Family {
         name: "nutating-table",
@@ -43,6 +48,7 @@ const FAMILIES: [Family; 8] = [
     },
     Family { name: "head-table", what: "swivel head B, table C", text: include_str!("families/head-table.mach") },
     Family { name: "head-head", what: "fork head: A in C", text: include_str!("families/head-head.mach") },
+    Family { name: "six-axis", what: "fork head on a quill W", text: include_str!("families/six-axis.mach") },
 ];
 
 /// Write a machine file to begin with
@@ -84,7 +90,7 @@ pub(super) fn run(arguments: Arguments, report: &Report) -> Result<Status, Failu
 }
 
 fn list() -> String {
-    let families = FAMILIES.iter().map(|Family { name, what, .. }| format!("  {name:<16}{what}\n"));
+    let families = FAMILIES.iter().map(|Family { name, what, .. }| format!("  {name:<19}{what}\n"));
     let controllers = builtin::names().map(|name| format!("  {name}\n"));
     format!("families:\n{}controllers:\n{}", families.collect::<String>(), controllers.collect::<String>())
 }

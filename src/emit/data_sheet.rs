@@ -156,8 +156,13 @@ fn cone(model: &Model) -> Vec<String> {
 fn proved(proof: &Proof) -> Vec<String> {
     vec![
         format!("{} seeded poses through inverse and forward, every solution:", proof.poses),
-        format!("tip within {:.1e} mm, tool axis within {:.1e} rad", proof.tip_mm, proof.axis_rad),
+        format!("tip within {} mm, tool axis within {} rad", bound(proof.tip_mm), bound(proof.axis_rad)),
     ]
+}
+
+/// The order of magnitude matters; nothing is plainly 0.
+fn bound(value: f64) -> String {
+    if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
 }
 
 pub(super) fn vector(v: &Vector3<f64>) -> String {

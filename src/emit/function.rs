@@ -102,7 +102,7 @@ fn pose(compiled: &Compiled, (tip, axis): ([Id; 3], [Id; 3]), arguments: Vec<Arg
         id,
         name: name.to_owned(),
         symbol: Some(symbol.to_owned()),
-        remark: Remark::Stated(compiled.origins.tool.clone()),
+        remark: Remark::Stated(compiled.origins.in_generated_text(&compiled.origins.tool)),
     };
     Function { arguments, outputs: coordinates.map(output).collect(), order: vec![3, 4, 5, 0, 1, 2] }
 }
@@ -113,7 +113,7 @@ fn joint(compiled: &Compiled, axis: usize, suffix: &str, id: Id) -> Output {
         id,
         name: format!("{name}_{suffix}"),
         symbol: Some(format!("{name}{suffix}")),
-        remark: Remark::Stated(compiled.origins.axes[axis].clone()),
+        remark: Remark::Stated(compiled.origins.in_generated_text(&compiled.origins.axes[axis])),
     }
 }
 

@@ -73,6 +73,7 @@ fn empty<'a>(sources: &'a SourceMap, machine: &Entry<'_, MachineStatement>) -> D
         title: machine.definition.title.as_ref().map(|title| title.value.clone()),
         parameters: Vec::new(),
         chain: None,
+        is_chain_of_a_table: false,
         axes: Vec::new(),
         tool: None,
         errors: Vec::new(),

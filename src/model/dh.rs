@@ -106,6 +106,7 @@ fn replace(evaluator: &mut Evaluator<'_>, draft: &mut Draft<'_>, body: &Body<DhR
     }
     links.push(Link::Tool(at.span.clone()));
     draft.chain = Some(Located { value: links, at: at.clone() });
+    draft.is_chain_of_a_table = true;
     if draft.tool.is_none() {
         let last = body.statements.last().map_or(&at.span, |row| &row.span);
         draft.tool = Some(ToolDraft {

@@ -15,6 +15,8 @@ pub(crate) struct Draft<'a> {
     /// Names and values for people.
     pub(crate) parameters: Vec<(String, String)>,
     pub(crate) chain: Option<Located<Vec<Link>>>,
+    /// Whether a `dh` table says the chain.
+    pub(crate) is_chain_of_a_table: bool,
     /// In the order of declaration; no name twice.
     pub(crate) axes: Vec<AxisDraft>,
     pub(crate) tool: Option<ToolDraft>,

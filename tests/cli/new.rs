@@ -2,15 +2,17 @@
 
 use crate::machc::{MILL, Workshop};
 
-const FAMILIES: [&str; 8] = [
+const FAMILIES: [&str; 10] = [
     "three-axis",
     "four-axis",
     "turning-centre",
     "trunnion",
+    "trunnion-measured",
     "trunnion-bc",
     "nutating-table",
     "head-table",
     "head-head",
+    "six-axis",
 ];
 
 #[test]
@@ -67,7 +69,7 @@ fn what_is_misspelt_is_guessed() {
         (&["new", "5axis", "--like", "trunnion"], "`5axis` cannot be a machine's name"),
         (&["new", "linear", "--like", "trunnion"], "`linear` cannot be a machine's name"),
         (&["new", "a like b", "--like", "trunnion"], "cannot be a machine's name"),
-        (&["new", "no/a", "--like", "trunnion"], "cannot write `no/a.mach`"),
+        (&["new", "no/a", "--like", "trunnion"], "cannot write `no/a.mach`: there is no folder `no`"),
         (&["new", "a"], "--like"),
     ] {
         let run = workshop.run(arguments);
