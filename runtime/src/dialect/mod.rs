@@ -1,0 +1,5 @@
+//! A controller's dialect as data: what its texts mean, read both ways.
+
+pub mod meaning;
+pub mod pattern;
+pub mod table;
