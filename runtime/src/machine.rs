@@ -1,4 +1,8 @@
-//! What a post knows of its machine, apart from the kinematics: axes, travel, written range, policies.
+//! What a post knows of its machine, apart from its inverse: axes, travel, written range, policies, the chain.
+
+mod chain;
+
+pub use chain::{Chain, Joint};
 
 use crate::error_table::ErrorTable;
 
@@ -164,6 +168,8 @@ pub struct Machine {
     pub name: String,
     /// In the order in which their words are written.
     pub axes: Vec<Axis>,
+    /// How they follow one another from the workpiece to the tool, location errors included.
+    pub chain: Chain,
     /// How candidates are chosen.
     pub branch: BranchPolicy,
     /// How far the tool axis may be from the wanted one, in radians, before a direction counts as out of reach.

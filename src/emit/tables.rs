@@ -1,7 +1,8 @@
 //! Model to the runtime's tables.
 
+use crate::model::errors::Line;
 use crate::model::machine::Model;
-use mach_runtime::machine::{Axis, Machine, Motion};
+use mach_runtime::machine::{Axis, Chain, Joint, Machine, Motion};
 use nalgebra::{Matrix3, Vector3};
 
 /// The tables of a checked machine.
@@ -21,6 +22,7 @@ pub fn machine(model: &Model) -> Machine {
     Machine {
         name: model.name.clone(),
         axes: model.axes.iter().enumerate().map(axis).collect(),
+        chain: chain(model),
         branch: model.branch.clone(),
         axis_tolerance_rad: model.axis_tolerance_rad,
         plane_tolerance_mm: model.plane_tolerance_mm,
@@ -30,6 +32,31 @@ pub fn machine(model: &Model) -> Machine {
         tool_length_mm: model.tool.length_mm,
         errors: model.errors.tables.clone(),
     }
+}
+
+/// Every axis where it really lies: as it is declared, moved by its location errors.
+fn chain(model: &Model) -> Chain {
+    let joint = |joint: &crate::model::machine::Joint| {
+        let Line { direction, point_mm } = model.line(joint.axis);
+        Joint {
+            axis: joint.axis,
+            motion: model.axes[joint.axis].motion,
+            direction: vector(&direction),
+            point_mm: vector(&point_mm),
+            primed: joint.primed,
+        }
+    };
+    Chain {
+        joints: model.chain.iter().map(joint).collect(),
+        bed: model.bed,
+        tool_axis: vector(&model.tool.axis),
+        gauge_mm: vector(&model.tool.gauge_mm),
+    }
+}
+
+/// Adding zero turns -0 into 0.
+fn vector(vector: &Vector3<f64>) -> [f64; 3] {
+    [vector.x + 0.0, vector.y + 0.0, vector.z + 0.0]
 }
 
 /// The values of the linear axes that move the tool by this vector with the rotary axes at zero, zero for the others; two

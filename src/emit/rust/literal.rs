@@ -1,7 +1,9 @@
 //! The runtime's tables as Rust expressions.
 
 use mach_runtime::error_table::{Component, ErrorTable};
-use mach_runtime::machine::{Axis, BranchPolicy, Machine, Motion, Preference, Rule, Strictness, Travel, Written};
+use mach_runtime::machine::{
+    Axis, BranchPolicy, Chain, Joint, Machine, Motion, Preference, Rule, Strictness, Travel, Written,
+};
 use mach_runtime::nc::dialect::{
     Block, Codes, Dialect, LengthUnit, Line, Picture, Piece, Point, Sequence, Trigger, Value, Word,
 };
@@ -64,10 +66,12 @@ macro_rules! plain {
 
 structs! {
     Machine {
-        name, axes, branch, axis_tolerance_rad, plane_tolerance_mm, chord_tolerance_mm, unknown_records, zero_mm,
+        name, axes, chain, branch, axis_tolerance_rad, plane_tolerance_mm, chord_tolerance_mm, unknown_records, zero_mm,
         tool_length_mm, errors,
     }
     Axis { name, motion, travel, rule, written, zero, length_share, rapid_per_min }
+    Chain { joints, bed, tool_axis, gauge_mm }
+    Joint { axis, motion, direction, point_mm, primed }
     Travel { lower, upper }
     ErrorTable { axis, component, rows }
     BranchPolicy { start, then, reposition }

@@ -288,6 +288,48 @@ pub fn machine() -> Machine {
                 rapid_per_min: None,
             },
         ]),
+        chain: Chain {
+            joints: Vec::from([
+                Joint {
+                    axis: 4,
+                    motion: Motion::Rotary,
+                    direction: [0.0, 0.0, 1.0],
+                    point_mm: [0.0, 0.0, -20.0],
+                    primed: false,
+                },
+                Joint {
+                    axis: 3,
+                    motion: Motion::Rotary,
+                    direction: [1.0, 0.0, 0.0],
+                    point_mm: [0.0, 0.0, -20.0],
+                    primed: false,
+                },
+                Joint {
+                    axis: 0,
+                    motion: Motion::Linear,
+                    direction: [1.0, 0.0, 0.0],
+                    point_mm: [0.0, 0.0, 0.0],
+                    primed: false,
+                },
+                Joint {
+                    axis: 1,
+                    motion: Motion::Linear,
+                    direction: [0.0, 1.0, 0.0],
+                    point_mm: [0.0, 0.0, 0.0],
+                    primed: false,
+                },
+                Joint {
+                    axis: 2,
+                    motion: Motion::Linear,
+                    direction: [0.0, 0.0, 1.0],
+                    point_mm: [0.0, 0.0, 0.0],
+                    primed: false,
+                },
+            ]),
+            bed: 2,
+            tool_axis: [0.0, 0.0, 1.0],
+            gauge_mm: [0.0, 0.0, 0.0],
+        },
         branch: BranchPolicy {
             start: Vec::from([Preference::Least(4)]),
             then: Vec::from([Preference::Nearest]),
