@@ -65,7 +65,7 @@ fn compile_and_prove(bencher: Bencher<'_, '_>, name: &str) {
 #[divan::bench(args = MACHINES)]
 fn inverse_all_branches(bencher: Bencher<'_, '_>, name: &str) {
     let mut interpreter = Interpreter::new(&machine(name).plan);
-    let mut solutions = SolutionBlock::new(interpreter.branch_count(), interpreter.axis_count());
+    let mut solutions = SolutionBlock::of(&interpreter);
     let poses = poses();
     bencher.counter(ItemsCount::new(LANES)).bench_local(|| interpreter.inverse(&poses, &[], 150.0, &mut solutions));
 }
@@ -79,7 +79,7 @@ fn inverse_generated(bencher: Bencher<'_, '_>, name: &str) {
         "tmv710a" => Box::new(tmv710a::Solver),
         _ => Box::new(dmu50ev::Solver),
     };
-    let mut solutions = SolutionBlock::new(solver.branch_count(), solver.axis_count());
+    let mut solutions = SolutionBlock::of(&*solver);
     let poses = poses();
     bencher.counter(ItemsCount::new(LANES)).bench_local(|| solver.inverse(&poses, &[], 150.0, &mut solutions));
 }
@@ -88,7 +88,7 @@ fn inverse_generated(bencher: Bencher<'_, '_>, name: &str) {
 fn inverse_by_hand(bencher: Bencher<'_, '_>, name: &str) {
     let solve = if name == "tmv710a" { by_hand::trunnion } else { by_hand::nutating };
     let mut interpreter = Interpreter::new(&machine(name).plan);
-    let (mut solutions, mut expected) = (SolutionBlock::new(2, 5), SolutionBlock::new(2, 5));
+    let (mut solutions, mut expected) = (SolutionBlock::of(&interpreter), SolutionBlock::of(&interpreter));
     let poses = poses();
     interpreter.inverse(&poses, &[], 150.0, &mut expected);
     solve(&poses, 150.0, &mut solutions);

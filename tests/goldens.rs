@@ -134,7 +134,9 @@ fn the_joints_of_the_impeller_are_the_published_ones() {
     let mut kinematics = Interpreter::new(&machine.plan);
     for ((row, point), published) in rows.iter().zip(&points).zip(&published) {
         let mut at_published_angles = *published;
-        kinematics.position(point.tip_mm, machine.model.tool.length_mm, &mut at_published_angles);
+        kinematics
+            .position(point.tip_mm, machine.model.tool.length_mm, &mut at_published_angles)
+            .expect("the tip is held");
         let found = [&at_published_angles[..3], &row[3..]].concat();
         for (axis, name) in NAMES.into_iter().enumerate() {
             let (found, published) = (found[axis], published[axis]);

@@ -42,7 +42,7 @@ fn check(name: &str, Compiled { model, plan, .. }: &Compiled, row: &Row) {
 
     let axes = wanted.len();
     let mut placed: Vec<f64> = (0..axes).map(|axis| if rotary(axis) { wanted[axis] } else { f64::NAN }).collect();
-    machine.position(row.tip, model.tool.length_mm, &mut placed);
+    machine.position(row.tip, model.tool.length_mm, &mut placed).expect("the tip is held");
     assert!((0..axes).all(|axis| close(placed[axis], wanted[axis])), "{name}: {placed:?} is not {wanted:?}");
 
     let mut pose = PoseBlock::ZERO;
@@ -51,7 +51,7 @@ fn check(name: &str, Compiled { model, plan, .. }: &Compiled, row: &Row) {
     assert!(norm(sub(pose.tip(0), row.tip)) <= BOUND, "{name}: {:?} is not {:?}", pose.tip(0), row.tip);
 
     let surplus: Vec<_> = machine.surplus_axes().iter().map(|&axis| [wanted[axis]; LANES]).collect();
-    let mut solutions = SolutionBlock::new(machine.branch_count(), machine.axis_count());
+    let mut solutions = SolutionBlock::of(&machine);
     machine.inverse(&pose, &surplus, model.tool.length_mm, &mut solutions);
     let is_wanted = |candidate: &Vec<[f64; LANES]>| {
         let same = |axis| if rotary(axis) { same_angle } else { close }(candidate[axis][0], wanted[axis]);

@@ -9,7 +9,9 @@ mod program;
 mod stems;
 
 use mach_runtime::error_table::{Component, ErrorTable};
-use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, PoseBlock, SolutionBlock};
+use mach_runtime::kinematics::{
+    JointBlock, Kinematics, LANES, Lane, Miss, Outcome, PoseBlock, SolutionBlock, Tolerances,
+};
 use mach_runtime::vector::{Vec3, angle_rad, norm, sub};
 use machc::compile::Compiled;
 use machc::derive::derive;
@@ -25,6 +27,8 @@ const METHODS: [Method; 2] = [Method::Newton, Method::Broyden];
 const TIP_BOUND_MM: f64 = 1e-9;
 const AXIS_BOUND_RAD: f64 = 1e-12;
 
+const TOLERANCES: Tolerances = Tolerances { axis_rad: 0.0, plane_mm: TIP_BOUND_MM };
+
 fn compiled(name: &str) -> Compiled {
     machine::compiled(&format!("machines/{name}.mach"), &machine::Files)
 }
@@ -39,7 +43,7 @@ struct Solved {
 /// The surplus joints are those of `joints`.
 fn solved(compiled: &Compiled, kinematics: &mut dyn Kinematics, wanted: &PoseBlock, joints: &JointBlock) -> Solved {
     let length_mm = compiled.model.tool.length_mm;
-    let mut block = SolutionBlock::new(kinematics.branch_count(), kinematics.axis_count());
+    let mut block = SolutionBlock::of(kinematics);
     let surplus: Vec<Lane> = kinematics.surplus_axes().iter().map(|&axis| joints[axis]).collect();
     kinematics.inverse(wanted, &surplus, length_mm, &mut block);
     let (mut reached, mut tip_mm, mut axis_rad) = (PoseBlock::ZERO, 0.0_f64, 0.0_f64);
@@ -51,6 +55,14 @@ fn solved(compiled: &Compiled, kinematics: &mut dyn Kinematics, wanted: &PoseBlo
         }
     }
     Solved { block, tip_mm, axis_rad }
+}
+
+/// How far the wanted direction is out of reach.
+fn beyond_rad(block: &SolutionBlock, lane: usize) -> f64 {
+    match block.outcome(lane, TOLERANCES) {
+        Outcome::Missed(Miss::OutOfReach { by_rad }) => by_rad,
+        _ => 0.0,
+    }
 }
 
 /// Every axis at zero.
@@ -105,10 +117,12 @@ fn the_solutions_are_those_of_the_closed_form() {
                     let branches = &expected.block.branches;
                     let is_near = !branches.iter().any(|candidate| is_far(candidate, *lane));
                     let meet = |pair: &[JointBlock]| is_same(&compiled.plan.rotary, &pair[0], &pair[1], *lane);
-                    is_near && expected.block.pole_sine[*lane] > AXIS_BOUND_RAD && !branches.windows(2).any(meet)
+                    is_near
+                        && expected.block.outcome(*lane, TOLERANCES) == Outcome::Reached
+                        && !branches.windows(2).any(meet)
                 };
                 for lane in (0..LANES).filter(has_two) {
-                    assert_eq!(found.block.reach_rad[lane], 0.0, "{name} {method:?}");
+                    assert_eq!(beyond_rad(&found.block, lane), 0.0, "{name} {method:?}");
                     for candidate in &expected.block.branches {
                         let mut all = found.block.branches.iter();
                         let is_found = all.any(|other| is_same(&compiled.plan.rotary, candidate, other, lane));
@@ -151,7 +165,7 @@ fn next_to_the_pole_and_at_it_the_bounds_hold() {
             let found = solved(&compiled, &mut Numeric::new(&compiled.plan, method), &wanted, &at_home(&compiled));
             assert!(found.tip_mm <= TIP_BOUND_MM, "{name} {method:?}: {:e} mm", found.tip_mm);
             assert!(found.axis_rad <= AXIS_BOUND_RAD, "{name} {method:?}: {:e} rad", found.axis_rad);
-            assert_eq!(found.block.reach_rad, [0.0; LANES], "{name} {method:?}");
+            assert!((0..LANES).all(|lane| beyond_rad(&found.block, lane) == 0.0), "{name} {method:?}");
         }
     }
 }
@@ -159,15 +173,15 @@ fn next_to_the_pole_and_at_it_the_bounds_hold() {
 #[test]
 fn beyond_the_reach_the_angle_to_it_is_told() {
     // The nutating table reaches what is within 90 degrees of the vertical.
-    let beyond_rad = [1e-6, 1e-3, 0.1, 0.5];
-    let wanted = around([0.0, 0.0, 1.0], &beyond_rad.map(|beyond| FRAC_PI_2 + beyond));
+    let tilts_rad = [1e-6, 1e-3, 0.1, 0.5];
+    let wanted = around([0.0, 0.0, 1.0], &tilts_rad.map(|beyond| FRAC_PI_2 + beyond));
     let compiled = compiled("dmu50ev");
     for method in METHODS {
         let found = solved(&compiled, &mut Numeric::new(&compiled.plan, method), &wanted, &at_home(&compiled));
         assert!(found.tip_mm <= TIP_BOUND_MM, "{method:?}: the tip is held all the same, not to {:e} mm", found.tip_mm);
-        for (lane, reach_rad) in found.block.reach_rad.iter().enumerate() {
-            let beyond = beyond_rad[lane % beyond_rad.len()];
-            assert!((reach_rad + beyond).abs() < 0.01 * beyond, "{method:?}: {reach_rad} is not {}", -beyond);
+        for lane in 0..LANES {
+            let (told, beyond) = (beyond_rad(&found.block, lane), tilts_rad[lane % tilts_rad.len()]);
+            assert!((told - beyond).abs() < 0.01 * beyond, "{method:?}: {told} is not {beyond}");
         }
     }
 }
@@ -179,8 +193,9 @@ fn a_machine_without_rotaries_says_how_far_the_axis_is_off() {
     for method in METHODS {
         let found = solved(&compiled, &mut Numeric::new(&compiled.plan, method), &wanted, &at_home(&compiled));
         assert!(found.tip_mm <= TIP_BOUND_MM);
-        for (lane, reach_rad) in found.block.reach_rad.iter().enumerate() {
-            assert!((reach_rad + [0.0, 1e-9, 0.2, 2.0][lane % 4]).abs() < 1e-12, "{method:?}: {reach_rad}");
+        for lane in 0..LANES {
+            let told = beyond_rad(&found.block, lane);
+            assert!((told - [0.0, 1e-9, 0.2, 2.0][lane % 4]).abs() < 1e-12, "{method:?}: {told}");
         }
     }
 }
@@ -199,8 +214,8 @@ fn where_the_linear_axes_do_not_span_space_that_is_told_and_it_goes_on_behind() 
         for candidate in &found.branches {
             for lane in 0..LANES {
                 // Next to there the axis may be given up for a tip that far joints hold; that is told.
-                let is_finite = candidate.iter().all(|joint| joint[lane].is_finite());
-                let is_held = is_finite && found.reach_rad[lane] == 0.0 && !is_far(candidate, lane);
+                let is_missed = matches!(found.outcome(lane, TOLERANCES), Outcome::Missed(_));
+                let is_held = !is_missed && !is_far(candidate, lane);
                 assert_eq!(is_held, lane % 2 == 0, "{method:?}: lane {lane}");
                 let rotaries = (0..5).filter(|&axis| compiled.plan.rotary[axis]);
                 assert!(rotaries.map(|axis| candidate[axis][lane]).all(f64::is_finite), "{method:?}: lane {lane}");

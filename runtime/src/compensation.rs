@@ -5,7 +5,7 @@
 //! nothing changes. An error of 10 µm and 20 µrad shrinks by about a thousand each time.
 
 use crate::error_table::ErrorTable;
-use crate::kinematics::{JointBlock, Kinematics, LANES, Lane, PoseBlock, SolutionBlock};
+use crate::kinematics::{JointBlock, Kinematics, LANES, Lane, Miss, Pole, PoseBlock, SolutionBlock};
 use crate::machine::{Machine, Motion};
 use crate::vector::{Vec3, add, angle_rad, cross, dot, norm, scale, sub};
 
@@ -45,11 +45,10 @@ struct Stand {
 impl<'m, K: Kinematics> Compensated<'m, K> {
     /// The kinematics of `machine` around the closed form.
     pub fn new(inner: K, machine: &'m Machine) -> Self {
-        let (branches, axes) = (inner.branch_count(), inner.axis_count());
         Self {
+            solutions: SolutionBlock::of(&inner),
             inner,
             machine,
-            solutions: SolutionBlock::new(branches, axes),
             deviations: vec![[0.0; LANES]; machine.errors.len()],
             most_corrections: 0,
         }
@@ -79,7 +78,8 @@ impl<'m, K: Kinematics> Compensated<'m, K> {
         stand
     }
 
-    /// Moves one candidate, given without errors, to where the errors take the tool to the wanted poses.
+    /// Moves one candidate, given without errors, to where the errors take the tool to the wanted poses. The lanes where that
+    /// comes to no rest, a bit for each.
     fn settle(
         &mut self,
         branch: usize,
@@ -87,20 +87,21 @@ impl<'m, K: Kinematics> Compensated<'m, K> {
         surplus: &[Lane],
         tool_length_mm: f64,
         joints: &mut JointBlock,
-    ) {
+    ) -> u64 {
         let without = joints.clone();
         let mut asked = wanted.clone();
         let mut keeps_angles = [false; LANES];
-        for correction in 0.. {
+        let mut corrections = 0;
+        loop {
             let stand = self.stand(joints, tool_length_mm);
             let next = stand.correct(wanted, &keeps_angles);
             let settled = (0..LANES).all(|lane| is_settled(&asked, &next, lane));
-            if settled || correction == MOST_CORRECTIONS {
-                self.refuse_unsettled(&stand, wanted, joints);
-                self.most_corrections = self.most_corrections.max(correction);
-                return;
+            if settled || corrections == MOST_CORRECTIONS {
+                self.most_corrections = self.most_corrections.max(corrections);
+                return unsettled(&stand, wanted, &without);
             }
             asked = next;
+            corrections += 1;
             self.branch(branch, &asked, surplus, tool_length_mm, joints);
             let newly = self.unsteady(&without, joints, wanted, &asked);
             if newly.contains(&true) {
@@ -109,19 +110,6 @@ impl<'m, K: Kinematics> Compensated<'m, K> {
                 self.branch(branch, &asked, surplus, tool_length_mm, joints);
             }
         }
-    }
-
-    /// A candidate that does not put the tip where it should be has no joints.
-    fn refuse_unsettled(&self, stand: &Stand, wanted: &PoseBlock, joints: &mut JointBlock) {
-        let is_off = |lane: &usize| norm(sub(stand.actual.tip(*lane), wanted.tip(*lane))) > TIP_BOUND_MM;
-        for lane in (0..LANES).filter(is_off) {
-            self.linear().for_each(|axis| joints[axis][lane] = f64::NAN);
-        }
-    }
-
-    fn linear(&self) -> impl Iterator<Item = usize> + 'm {
-        let axes = self.machine.axes.iter().enumerate();
-        axes.filter(|(_, axis)| axis.motion == Motion::Linear).map(|(index, _)| index)
     }
 
     fn branch(
@@ -161,8 +149,8 @@ impl<K: Kinematics> Kinematics for Compensated<'_, K> {
         self.inner.branch_count()
     }
 
-    fn free_axis(&self) -> Option<usize> {
-        self.inner.free_axis()
+    fn pole(&self) -> Option<Pole> {
+        self.inner.pole()
     }
 
     fn surplus_axes(&self) -> &[usize] {
@@ -172,31 +160,31 @@ impl<K: Kinematics> Kinematics for Compensated<'_, K> {
     fn inverse(&mut self, poses: &PoseBlock, surplus: &[Lane], tool_length_mm: f64, out: &mut SolutionBlock) {
         self.inner.inverse(poses, surplus, tool_length_mm, out);
         if !self.is_ideal() {
-            for (branch, joints) in out.branches.iter_mut().enumerate() {
-                self.settle(branch, poses, surplus, tool_length_mm, joints);
-            }
+            let branches = out.branches.iter_mut().enumerate();
+            let settle = |(branch, joints)| self.settle(branch, poses, surplus, tool_length_mm, joints);
+            let unsettled = branches.map(settle).fold(0, |all, lanes| all | lanes);
+            out.set_uncompensated(unsettled);
         }
     }
 
-    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) {
-        self.inner.position(tip_mm, tool_length_mm, joints);
+    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) -> Result<(), Miss> {
+        self.inner.position(tip_mm, tool_length_mm, joints)?;
         if self.is_ideal() {
-            return;
+            return Ok(());
         }
         let mut asked = tip_mm;
-        for correction in 0.. {
+        let mut corrections = 0;
+        loop {
             let block = joints.iter().map(|joint| [*joint; LANES]).collect();
             let stand = self.stand(&block, tool_length_mm);
             let next = add(tip_mm, sub(stand.ideal.tip(0), stand.actual.tip(0)));
-            if norm(sub(next, asked)) <= SETTLED_MM || correction == MOST_CORRECTIONS {
-                if norm(sub(stand.actual.tip(0), tip_mm)) > TIP_BOUND_MM {
-                    self.linear().for_each(|axis| joints[axis] = f64::NAN);
-                }
-                self.most_corrections = self.most_corrections.max(correction);
-                return;
+            if norm(sub(next, asked)) <= SETTLED_MM || corrections == MOST_CORRECTIONS {
+                self.most_corrections = self.most_corrections.max(corrections);
+                return if is_at(&stand, 0, tip_mm) { Ok(()) } else { Err(Miss::NotCompensated) };
             }
             asked = next;
-            self.inner.position(asked, tool_length_mm, joints);
+            corrections += 1;
+            self.inner.position(asked, tool_length_mm, joints)?;
         }
     }
 
@@ -229,6 +217,18 @@ impl Stand {
 /// The error of one table at each lane's joint of its axis.
 fn deviation(table: &ErrorTable, machine: &Machine, joint: &Lane) -> Lane {
     joint.map(|joint| table.at(&machine.axes[table.axis], joint))
+}
+
+/// Whether the tip stands where it is wanted.
+fn is_at(stand: &Stand, lane: usize, tip_mm: Vec3) -> bool {
+    norm(sub(stand.actual.tip(lane), tip_mm)) <= TIP_BOUND_MM
+}
+
+/// The lanes in which the tip is not where it is wanted though there are joints for it without errors: a bit for each.
+fn unsettled(stand: &Stand, wanted: &PoseBlock, without: &JointBlock) -> u64 {
+    let has_joints = |lane: usize| without.iter().all(|joint| joint[lane].is_finite());
+    let is_off = |lane: &usize| has_joints(*lane) && !is_at(stand, *lane, wanted.tip(*lane));
+    (0..LANES).filter(is_off).fold(0, |lanes, lane| lanes | 1 << lane)
 }
 
 /// Whether two poses are the same; what is no number has nothing to settle.

@@ -1,5 +1,11 @@
 //! The machine's kinematics as the runtime sees it: blocks of poses in, blocks of candidates out, and back.
 
+mod outcome;
+mod solution;
+
+pub use outcome::{Miss, Outcome, Pole, Tolerances};
+pub use solution::{Margins, SolutionBlock, held};
+
 use crate::vector::Vec3;
 
 /// How many poses are solved at once.
@@ -65,30 +71,6 @@ pub fn candidate_lanes<const AXES: usize, const COUNT: usize>(
     branches.each_mut().map(|joints| joints.as_mut_slice().try_into().expect("a block has a lane for each axis"))
 }
 
-/// The candidates of a block.
-#[derive(Debug, Clone)]
-pub struct SolutionBlock {
-    /// `branches[b][a][l]`. Rotary values lie within one turn; whole turns are the branch choice's business.
-    pub branches: Vec<JointBlock>,
-    /// Zero where the wanted direction is within reach. Else minus the angle to the nearest direction that is, in
-    /// radians (to first order); the candidates are then about the closest that the machine can do.
-    pub reach_rad: Lane,
-    /// The sine of the angle between the wanted direction and the pole. At zero the first rotary is free. Where the
-    /// position decides the rotary (X Z C), the tip's distance from its axis in metres: at zero it is free.
-    pub pole_sine: Lane,
-    /// Zero where the wanted tip is within reach of the linear axes. Else how far it is from there, in millimetres
-    /// (to first order): only machines with fewer than three linear axes know such tips.
-    pub gap_mm: Lane,
-}
-
-impl SolutionBlock {
-    /// A block to be filled.
-    pub fn new(branches: usize, axes: usize) -> Self {
-        let branches = vec![vec![[0.0; LANES]; axes]; branches];
-        Self { branches, reach_rad: [0.0; LANES], pole_sine: [0.0; LANES], gap_mm: [0.0; LANES] }
-    }
-}
-
 /// A machine's forward chain and its inverse. `tool_length_mm` is the gauge length.
 pub trait Kinematics {
     /// How many axes there are, in the order of [`crate::machine::Machine::axes`].
@@ -97,8 +79,8 @@ pub trait Kinematics {
     /// How many candidates an inverse gives: 2 with two rotaries, else 1.
     fn branch_count(&self) -> usize;
 
-    /// The axis that is free at the pole, if the machine has one.
-    fn free_axis(&self) -> Option<usize>;
+    /// Where an axis is free, if one ever is.
+    fn pole(&self) -> Option<Pole>;
 
     /// The axes that the pose leaves open, as indices: an inverse is given their values.
     fn surplus_axes(&self) -> &[usize] {
@@ -111,7 +93,11 @@ pub trait Kinematics {
 
     /// The linear joints that put the tip on `tip_mm`, for the rotary joints and the surplus ones that are already in
     /// `joints`; one pose.
-    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]);
+    ///
+    /// # Errors
+    ///
+    /// Why none do.
+    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) -> Result<(), Miss>;
 
     /// The pose of each lane's joints.
     fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock);
@@ -133,8 +119,8 @@ impl<K: Kinematics + ?Sized> Kinematics for &mut K {
         (**self).branch_count()
     }
 
-    fn free_axis(&self) -> Option<usize> {
-        (**self).free_axis()
+    fn pole(&self) -> Option<Pole> {
+        (**self).pole()
     }
 
     fn surplus_axes(&self) -> &[usize] {
@@ -145,8 +131,8 @@ impl<K: Kinematics + ?Sized> Kinematics for &mut K {
         (**self).inverse(poses, surplus, tool_length_mm, out);
     }
 
-    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) {
-        (**self).position(tip_mm, tool_length_mm, joints);
+    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) -> Result<(), Miss> {
+        (**self).position(tip_mm, tool_length_mm, joints)
     }
 
     fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {

@@ -8,7 +8,7 @@ use mach_command::toolpath::{Options, quoted};
 use mach_runtime::branch::{Candidate, Choice};
 use mach_runtime::cl::Next;
 use mach_runtime::cl::event::{Approach, Point};
-use mach_runtime::kinematics::LANES;
+use mach_runtime::kinematics::{LANES, Miss};
 use mach_runtime::machine::Machine;
 use mach_runtime::path::{PathSolver, Solved};
 use machc::numeric::Inverse;
@@ -113,6 +113,19 @@ enum Problem {
     OffPlane { mm: f64 },
     OutOfTravel,
     Singular,
+    NotCompensated,
+}
+
+impl Problem {
+    fn of(miss: Miss) -> Self {
+        match miss {
+            Miss::OutOfReach { by_rad } => Self::OutOfReach { deg: by_rad.to_degrees() },
+            Miss::InsideDeadRadius { gap_mm: mm, radius_mm } => Self::InsideDeadRadius { mm, radius_mm },
+            Miss::OffPlane { by_mm: mm } => Self::OffPlane { mm },
+            Miss::Singular => Self::Singular,
+            Miss::NotCompensated => Self::NotCompensated,
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -136,13 +149,8 @@ impl<'a> Line<'a> {
         let &Point { line, tip_mm, axis, approach } = solved.point;
         let (chosen, problem) = match solved.choice {
             Choice::Candidate { index, .. } => (Some(index), None),
-            Choice::OutOfReach(angle_rad) => (None, Some(Problem::OutOfReach { deg: angle_rad.to_degrees() })),
-            Choice::InsideDeadRadius { gap_mm: mm, radius_mm } => {
-                (None, Some(Problem::InsideDeadRadius { mm, radius_mm }))
-            }
-            Choice::OffPlane(mm) => (None, Some(Problem::OffPlane { mm })),
+            Choice::Missed(miss) => (None, Some(Problem::of(miss))),
             Choice::OutOfTravel(_) => (None, Some(Problem::OutOfTravel)),
-            Choice::Singular => (None, Some(Problem::Singular)),
         };
         let candidates = solved.candidates.iter().map(|candidate| Solution::new(machine, candidate)).collect();
         Self { line, tip_mm, axis, rapid: approach == Approach::Rapid, chosen, problem, candidates }

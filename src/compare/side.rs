@@ -5,7 +5,7 @@ use mach_runtime::branch::{Candidate, Choice};
 use mach_runtime::certificate::Range;
 use mach_runtime::cl::event::Point;
 use mach_runtime::compensation::Compensated;
-use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, PoseBlock};
+use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Miss, PoseBlock};
 use mach_runtime::machine::Machine;
 use mach_runtime::nc::axis_word::AxisWord;
 use mach_runtime::nc::dialect::Dialect;
@@ -34,8 +34,21 @@ pub enum Refusal {
     Travel(String),
     /// The linear axes do not span space there.
     Singular,
+    /// The correction of the machine's errors comes to no rest.
+    NotCompensated,
     /// The word of this axis has too few digits.
     Word(String),
+}
+
+impl Refusal {
+    fn of(miss: Miss) -> Self {
+        match miss {
+            Miss::OutOfReach { .. } => Self::Reach,
+            Miss::InsideDeadRadius { .. } | Miss::OffPlane { .. } => Self::Plane,
+            Miss::Singular => Self::Singular,
+            Miss::NotCompensated => Self::NotCompensated,
+        }
+    }
 }
 
 /// A point that a machine goes to.
@@ -122,9 +135,7 @@ fn reach(machine: &Machine, words: &[AxisWord], solved: &Solved<'_>) -> Result<R
     let named = |axis: usize| machine.axes[axis].name.clone();
     let index = match solved.choice {
         Choice::Candidate { index, .. } => index,
-        Choice::OutOfReach(_) => return Err(Refusal::Reach),
-        Choice::InsideDeadRadius { .. } | Choice::OffPlane(_) => return Err(Refusal::Plane),
-        Choice::Singular => return Err(Refusal::Singular),
+        Choice::Missed(miss) => return Err(Refusal::of(miss)),
         Choice::OutOfTravel(index) => {
             let obstacle = solved.candidates[index].obstacle.expect("a candidate beyond the travel says which axis is");
             return Err(Refusal::Travel(named(obstacle.axis)));

@@ -19,6 +19,7 @@ mod symbolic;
 use crate::model::machine::Model;
 use crate::plan::{Branch, Graph, Id, Inputs, Plan};
 use chain::{Chain, Values};
+use mach_runtime::kinematics::Pole;
 use mach_runtime::machine::Motion;
 use orientation::Orientation;
 
@@ -28,10 +29,10 @@ struct Angles {
     branches: Vec<Vec<Id>>,
     /// Zero inside the reach, else minus the angle to it.
     reach: Id,
-    /// Zero where the first of them is free.
-    pole_sine: Id,
-    /// The axis that is free there.
-    free_axis: Option<usize>,
+    /// How far it is to the pole: a sine or millimetres.
+    pole_distance: Id,
+    /// Where the first of them is free, if it ever is.
+    pole: Option<Pole>,
     /// How far the tip is from what the linear axes reach, where that is known with the angles.
     gap: Option<Id>,
 }
@@ -59,10 +60,10 @@ pub fn derive(model: &Model) -> Plan {
     Plan {
         branches: branches.into_iter().map(|joints| Branch { joints }).collect(),
         reach: angles.reach,
-        pole_sine: angles.pole_sine,
+        pole_distance: angles.pole_distance,
         gap: angles.gap.unwrap_or(gaps[0]),
         surplus: chain.surplus_axes(),
-        free_axis: angles.free_axis,
+        pole: angles.pole,
         position,
         tip,
         axis,

@@ -5,6 +5,7 @@ use super::chain::{Chain, Element, Values};
 use super::symbolic::{Turn, Vector, as_constant, constant, cross, dot, norm};
 use crate::model::standing::ALONG_SINE;
 use crate::plan::{Graph, Id, snap};
+use mach_runtime::kinematics::Pole;
 use nalgebra::Vector3;
 
 /// A rotary element whose value is given.
@@ -75,7 +76,7 @@ impl<'a> Orientation<'a> {
 
     fn fixed(&self, graph: &mut Graph) -> Angles {
         let reach = self.deviation(graph);
-        Angles { branches: vec![vec![]], reach, pole_sine: graph.constant(1.0), free_axis: None, gap: None }
+        Angles { branches: vec![vec![]], reach, pole_distance: graph.constant(1.0), pole: None, gap: None }
     }
 
     /// One rotary turns the tool on a cone; the wanted direction must be on it.
@@ -91,7 +92,7 @@ impl<'a> Orientation<'a> {
         let excess = graph.sub(tilt, cone);
         let opposite = graph.neg(excess);
         let reach = graph.min(excess, opposite);
-        Angles { branches: vec![vec![theta]], reach, pole_sine: graph.constant(1.0), free_axis: None, gap: None }
+        Angles { branches: vec![vec![theta]], reach, pole_distance: graph.constant(1.0), pole: None, gap: None }
     }
 }
 
@@ -179,15 +180,15 @@ impl<'a> Two<'a> {
 
     fn solve(&self, graph: &mut Graph, problem: &Orientation<'a>) -> Angles {
         let n1 = constant(graph, &self.first.direction);
-        let (gamma, pole_sine) = angle_between(graph, n1, problem.wanted);
+        let (gamma, pole_distance) = angle_between(graph, n1, problem.wanted);
         let half = graph.half_angle(gamma);
         let factors = self.half_angle_sines(graph, half);
         let opening = opening(graph, factors);
         let phi = self.triangle.phi;
         let second = [graph.add(phi, opening), graph.sub(phi, opening)];
         let branches = second.map(|theta2| vec![self.first_angle(graph, problem, theta2), theta2]).to_vec();
-        let free_axis = Some(self.first.axis);
-        Angles { branches, reach: reach(graph, factors), pole_sine, free_axis, gap: None }
+        let pole = Some(Pole::Direction { axis: self.first.axis });
+        Angles { branches, reach: reach(graph, factors), pole_distance, pole, gap: None }
     }
 
     /// The sines of (γ+α-β)/2, (γ-α+β)/2, (α+β+γ)/2, (α+β-γ)/2: none is negative inside the reach.

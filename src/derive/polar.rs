@@ -6,6 +6,7 @@ use super::orientation::{Orientation, angle_of_point};
 use super::position;
 use super::symbolic::{Vector, constant, cross, dot, norm, scale, sub};
 use crate::plan::{Graph, Id, Inputs};
+use mach_runtime::kinematics::Pole;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The two angles of the rotary at which the tip lies in the plane of the linear axes.
@@ -37,15 +38,14 @@ pub(super) fn solve(
     let root = root(graph, amplitude, size);
     let branches = roots(graph, [a, b, d], root);
     let across = across(graph, rotary, at_zero.1);
-    let (zero, metre) = (graph.constant(0.0), graph.constant(1e-3));
+    let zero = graph.constant(0.0);
     let short = graph.sub(size, amplitude);
     let short = graph.max(zero, short);
-    let distance = graph.div(amplitude, across);
     Angles {
         branches: branches.map(|angle| vec![angle]).to_vec(),
         reach: orientation.deviation(graph),
-        pole_sine: graph.mul(metre, distance),
-        free_axis: Some(rotary.axis),
+        pole_distance: graph.div(amplitude, across),
+        pole: Some(Pole::Position { axis: rotary.axis }),
         gap: Some(graph.div(short, across)),
     }
 }

@@ -91,7 +91,7 @@ fn close(machine: &mut Interpreter, joints: &JointBlock, tool_length_mm: f64, pr
     let (mut wanted, mut reached) = (PoseBlock::ZERO, PoseBlock::ZERO);
     machine.forward(joints, tool_length_mm, &mut wanted);
     let surplus: Vec<Lane> = machine.surplus_axes().iter().map(|&axis| joints[axis]).collect();
-    let mut solutions = SolutionBlock::new(machine.branch_count(), machine.axis_count());
+    let mut solutions = SolutionBlock::of(machine);
     machine.inverse(&wanted, &surplus, tool_length_mm, &mut solutions);
     for candidate in &solutions.branches {
         machine.forward(candidate, tool_length_mm, &mut reached);

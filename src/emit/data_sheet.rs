@@ -9,7 +9,7 @@ use crate::derive::prove::Proof;
 use crate::model::machine::{Axis, Model};
 use crate::model::standing;
 use crate::plan::{Interpreter, Plan};
-use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock, SolutionBlock};
+use mach_runtime::kinematics::{Kinematics, LANES, Miss, Outcome, PoseBlock, SolutionBlock, Tolerances};
 use mach_runtime::machine::{Motion, Rule, Written};
 use nalgebra::Vector3;
 use std::fmt::Write;
@@ -119,10 +119,14 @@ fn polar(model: &Model, plan: &Plan, rotary: &Rotary) -> Vec<String> {
     let (axis, mut poses) = (&model.axes[rotary.axis], PoseBlock::ZERO);
     poses.set(0, model.line(rotary.axis).point_mm.into(), family::tool(model).into());
     let mut machine = Interpreter::new(plan);
-    let mut solutions = SolutionBlock::new(machine.branch_count(), machine.axis_count());
+    let mut solutions = SolutionBlock::of(&machine);
     let surplus = vec![[0.0; LANES]; machine.surplus_axes().len()];
     machine.inverse(&poses, &surplus, model.tool.length_mm, &mut solutions);
-    let dead_mm = (solutions.gap_mm[0] * 1e9).round() / 1e9;
+    let tolerances = Tolerances { axis_rad: model.axis_tolerance_rad, plane_mm: 0.0 };
+    let dead_mm = match solutions.outcome(0, tolerances) {
+        Outcome::Missed(Miss::InsideDeadRadius { gap_mm, .. }) => (gap_mm * 1e9).round() / 1e9,
+        _ => 0.0,
+    };
     let only = format!("tool axis {} only", vector(&family::tool(model)));
     let at_centre = match (dead_mm == 0.0, rotary.carries_workpiece) {
         (true, _) => format!("singular at the axis of {0}: {0} is free", axis.name),

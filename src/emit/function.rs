@@ -2,10 +2,10 @@
 
 use super::listing::{Argument, Function, Input, Output, Remark};
 use crate::compile::Compiled;
-use crate::derive::family;
 use crate::model::machine::Axis;
 use crate::plan::{AXIS_INPUT, Id, JOINT_INPUT, TIP_INPUT, TOOL_LENGTH_INPUT};
 use mach_runtime::error_table::ErrorTable;
+use mach_runtime::kinematics::Pole;
 use mach_runtime::machine::Motion;
 
 /// A vector's coordinates: names in code, and what people write.
@@ -21,7 +21,7 @@ pub fn given_and_solved(compiled: &Compiled) -> (Vec<usize>, Vec<usize>) {
 }
 
 /// From tip, tool axis, tool length and surplus joints to every solution: the joints of each in the order of the model,
-/// then the reach, the sine at the pole and the gap.
+/// then the reach, the distance to the pole and the gap.
 pub fn inverse(compiled: &Compiled) -> Function {
     let branches = &compiled.plan.branches;
     let mut outputs = Vec::new();
@@ -30,7 +30,7 @@ pub fn inverse(compiled: &Compiled) -> Function {
         outputs.extend(solution.joints.iter().enumerate().map(|(axis, &id)| joint(compiled, axis, &suffix, id)));
     }
     outputs.push(scalar("reach", compiled.plan.reach, "Zero within reach, else minus the angle to it.".to_owned()));
-    outputs.push(scalar("pole_sine", compiled.plan.pole_sine, pole(compiled)));
+    outputs.push(pole(compiled));
     let gap = "Zero where the linear axes reach the tip, else how far it is from there.";
     outputs.push(scalar("gap", compiled.plan.gap, gap.to_owned()));
     // The angles of a solution come before what follows from them.
@@ -51,18 +51,20 @@ fn scalar(name: &str, id: Id, meaning: String) -> Output {
     Output { id, name: name.to_owned(), symbol: None, remark: Remark::Meaning(meaning) }
 }
 
-fn pole(compiled: &Compiled) -> String {
-    match compiled.plan.free_axis {
-        Some(axis) if family::polar(&compiled.model).is_some() => {
-            let name = &compiled.model.axes[axis].name;
-            format!("The distance of the tip from the axis of {name} in metres: at zero, {name} is free.")
+fn pole(compiled: &Compiled) -> Output {
+    let name = |axis: usize| &compiled.model.axes[axis].name;
+    let (distance, meaning) = match compiled.plan.pole {
+        Some(Pole::Position { axis }) => {
+            let what = format!("The distance of the tip from the axis of {0}: at zero, {0} is free.", name(axis));
+            ("pole_distance", what)
         }
-        Some(axis) => {
-            let name = &compiled.model.axes[axis].name;
-            format!("The sine of the angle between the tool and the axis of {name}: at zero, {name} is free.")
+        Some(Pole::Direction { axis }) => {
+            let of = format!("The sine of the angle between the tool and the axis of {0}", name(axis));
+            ("pole_sine", format!("{of}: at zero, {} is free.", name(axis)))
         }
-        None => "No axis is ever free.".to_owned(),
-    }
+        None => ("pole", "No axis is ever free.".to_owned()),
+    };
+    scalar(distance, compiled.plan.pole_distance, meaning)
 }
 
 /// From tip, tool length and the given joints to the others.

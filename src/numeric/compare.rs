@@ -7,7 +7,7 @@ use mach_runtime::certificate::Extreme;
 use mach_runtime::cl::event::Point;
 use mach_runtime::cl::{Next, Reader};
 use mach_runtime::compensation::Compensated;
-use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, PoseBlock, SolutionBlock};
+use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, Miss, Pole, PoseBlock, SolutionBlock};
 use mach_runtime::machine::Machine;
 use mach_runtime::path::PathSolver;
 use mach_runtime::vector::{Vec3, add, angle_rad, norm, sub};
@@ -158,8 +158,8 @@ impl Kinematics for Timed<'_> {
         self.inverse.kinematics().branch_count()
     }
 
-    fn free_axis(&self) -> Option<usize> {
-        self.inverse.kinematics().free_axis()
+    fn pole(&self) -> Option<Pole> {
+        self.inverse.kinematics().pole()
     }
 
     fn surplus_axes(&self) -> &[usize] {
@@ -174,8 +174,8 @@ impl Kinematics for Timed<'_> {
         self.blocks += 1;
     }
 
-    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) {
-        self.inverse.kinematics_mut().position(tip_mm, tool_length_mm, joints);
+    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) -> Result<(), Miss> {
+        self.inverse.kinematics_mut().position(tip_mm, tool_length_mm, joints)
     }
 
     fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {

@@ -5,7 +5,7 @@ use super::residual::{BOUND, LENGTH_MM, Target};
 use super::workspace::Workspace;
 use super::{Effort, Method, seeds};
 use crate::plan::{Interpreter, JOINT_INPUT, Plan, Program};
-use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, PoseBlock, SolutionBlock};
+use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, Miss, Pole, PoseBlock, SolutionBlock, held};
 use mach_runtime::vector::Vec3;
 use std::f64::consts::PI;
 
@@ -19,7 +19,7 @@ pub struct Numeric {
     method: Method,
     workspace: Workspace,
     chain: Interpreter,
-    pole_sine: Program<1>,
+    pole_distance: Program<1>,
     branches: usize,
     rotary: Vec<bool>,
     starts: Vec<Vec<f64>>,
@@ -45,7 +45,7 @@ impl Numeric {
             method,
             workspace: Workspace::new(plan),
             chain: Interpreter::new(plan),
-            pole_sine: Program::new(&plan.graph, inputs, &[plan.pole_sine]),
+            pole_distance: Program::new(&plan.graph, inputs, &[plan.pole_distance]),
             branches: branches(plan),
             rotary: plan.rotary.clone(),
             starts: seeds::starts(&plan.rotary),
@@ -128,7 +128,7 @@ impl Numeric {
 
     /// The rotary that orders the solutions, the greater angle first: the one nearest the tool of those declared.
     fn second_rotary(&self) -> Option<usize> {
-        (0..self.rotary.len()).rev().find(|&axis| self.rotary[axis] && Some(axis) != self.free_axis())
+        (0..self.rotary.len()).rev().find(|&axis| self.rotary[axis] && Some(axis) != self.pole().map(Pole::axis))
     }
 
     /// The joints that the pose leaves open, put to these values.
@@ -141,11 +141,11 @@ impl Numeric {
         }
     }
 
-    fn pole_sine(&mut self, target: &Target) -> f64 {
+    fn pole_distance(&mut self, target: &Target) -> f64 {
         let inputs = target.tip_mm.into_iter().chain(target.axis).chain([target.tool_length_mm]);
-        inputs.enumerate().for_each(|(index, value)| self.pole_sine.input(index)[0] = value);
-        self.pole_sine.run();
-        self.pole_sine.output(0)[0]
+        inputs.enumerate().for_each(|(index, value)| self.pole_distance.input(index)[0] = value);
+        self.pole_distance.run();
+        self.pole_distance.output(0)[0]
     }
 
     /// A joint value, scaled.
@@ -173,8 +173,8 @@ impl Kinematics for Numeric {
         self.branches
     }
 
-    fn free_axis(&self) -> Option<usize> {
-        self.chain.free_axis()
+    fn pole(&self) -> Option<Pole> {
+        self.chain.pole()
     }
 
     fn surplus_axes(&self) -> &[usize] {
@@ -189,19 +189,20 @@ impl Kinematics for Numeric {
             let known = self.last.take_if(is_known);
             self.put_surplus(surplus, lane);
             let followed = known.unwrap_or_else(|| self.follow(target));
-            for (branch, joints) in out.branches.iter_mut().zip(&followed.solutions) {
+            let (branches, margins) = out.parts_mut();
+            for (branch, joints) in branches.iter_mut().zip(&followed.solutions) {
                 for (axis, (lanes, joint)) in branch.iter_mut().zip(joints).enumerate() {
                     lanes[lane] = self.outside(axis, *joint);
                 }
             }
-            out.reach_rad[lane] = if followed.axis_rad > BOUND { -followed.axis_rad } else { 0.0 };
-            out.gap_mm[lane] = followed.tip_mm;
-            out.pole_sine[lane] = self.pole_sine(&target);
+            margins.reach_rad[lane] = if followed.axis_rad > BOUND { -followed.axis_rad } else { 0.0 };
+            margins.gap_mm[lane] = followed.tip_mm;
+            margins.pole[lane] = self.pole_distance(&target);
             self.last = Some(followed);
         }
     }
 
-    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) {
+    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) -> Result<(), Miss> {
         self.workspace.forward.tool_length_mm = tool_length_mm;
         let target = Target { tip_mm, axis: [0.0; 3], tool_length_mm };
         let follows = |axis: usize| !self.rotary[axis] && !self.chain.surplus_axes().contains(&axis);
@@ -211,6 +212,7 @@ impl Kinematics for Numeric {
         for (axis, joint) in joints.iter_mut().enumerate().filter(|&(axis, _)| follows(axis)) {
             *joint = if is_held { scaled[axis] * LENGTH_MM } else { f64::NAN };
         }
+        held(joints)
     }
 
     fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {

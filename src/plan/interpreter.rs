@@ -1,7 +1,9 @@
 //! The plan as kinematics: its programs run over blocks of lanes. Joints are in millimetres and degrees outside.
 
 use super::{AXIS_INPUT, Id, JOINT_INPUT, Plan, Program, TIP_INPUT, TOOL_LENGTH_INPUT};
-use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, PoseBlock, SolutionBlock};
+use mach_runtime::kinematics::{
+    JointBlock, Kinematics, LANES, Lane, Margins, Miss, Pole, PoseBlock, SolutionBlock, held,
+};
 use mach_runtime::vector::Vec3;
 
 /// Runs a plan.
@@ -13,7 +15,7 @@ pub struct Interpreter {
     /// The forward chain with errors; its inputs go on with these.
     actual: Program,
     branches: usize,
-    free_axis: Option<usize>,
+    pole: Option<Pole>,
     surplus: Vec<usize>,
     rotary: Vec<bool>,
 }
@@ -23,7 +25,7 @@ impl Interpreter {
     pub fn new(plan: &Plan) -> Self {
         let inputs = JOINT_INPUT + plan.rotary.len();
         let mut outputs: Vec<_> = plan.branches.iter().flat_map(|branch| branch.joints.clone()).collect();
-        outputs.extend([plan.reach, plan.pole_sine, plan.gap]);
+        outputs.extend([plan.reach, plan.pole_distance, plan.gap]);
         let pose = |(tip, axis): ([Id; 3], [Id; 3])| -> Vec<Id> { tip.into_iter().chain(axis).collect() };
         Self {
             inverse: Program::new(&plan.graph, inputs, &outputs),
@@ -31,7 +33,7 @@ impl Interpreter {
             forward: Program::new(&plan.graph, inputs, &pose((plan.tip, plan.axis))),
             actual: Program::new(&plan.graph, inputs + plan.errors, &pose(plan.actual)),
             branches: plan.branches.len(),
-            free_axis: plan.free_axis,
+            pole: plan.pole,
             surplus: plan.surplus.clone(),
             rotary: plan.rotary.clone(),
         }
@@ -47,8 +49,8 @@ impl Kinematics for Interpreter {
         self.branches
     }
 
-    fn free_axis(&self) -> Option<usize> {
-        self.free_axis
+    fn pole(&self) -> Option<Pole> {
+        self.pole
     }
 
     fn surplus_axes(&self) -> &[usize] {
@@ -76,12 +78,11 @@ impl Kinematics for Interpreter {
             // As they were given: radians and back would round.
             self.surplus.iter().zip(surplus).for_each(|(&axis, lane)| joints[axis] = *lane);
         }
-        out.reach_rad = *self.inverse.output(self.branches * axes);
-        out.pole_sine = *self.inverse.output(self.branches * axes + 1);
-        out.gap_mm = *self.inverse.output(self.branches * axes + 2);
+        let margin = |place: usize| *self.inverse.output(self.branches * axes + place);
+        *out.parts_mut().1 = Margins { reach_rad: margin(0), pole: margin(1), gap_mm: margin(2) };
     }
 
-    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) {
+    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) -> Result<(), Miss> {
         for (i, &value) in tip_mm.iter().enumerate() {
             self.position.input(TIP_INPUT + i)[0] = value;
         }
@@ -94,6 +95,7 @@ impl Kinematics for Interpreter {
         for (axis, value) in joints.iter_mut().enumerate().filter(|&(axis, _)| follows(axis)) {
             *value = self.position.output(axis)[0];
         }
+        held(joints)
     }
 
     fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {

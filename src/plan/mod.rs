@@ -17,6 +17,8 @@ pub use jacobian::{Jacobian, Pose};
 pub use program::Program;
 pub use trigonometry::{cos_constant, sin_constant, snap};
 
+use mach_runtime::kinematics::Pole;
+
 /// Everything that was derived of a machine: outputs of one graph. Angles are in radians, lengths in millimetres.
 #[derive(Debug, Clone)]
 pub struct Plan {
@@ -27,11 +29,10 @@ pub struct Plan {
     pub branches: Vec<Branch>,
     /// Zero inside the reach, else minus the angle to it.
     pub reach: Id,
-    /// The sine of the angle between the wanted axis and the first rotary; the tip's distance from the rotary axis in
-    /// metres where the position decides it.
-    pub pole_sine: Id,
-    /// The axis that is free where `pole_sine` is zero.
-    pub free_axis: Option<usize>,
+    /// How far it is to the pole: a sine or millimetres.
+    pub pole_distance: Id,
+    /// Where an axis is free, if one ever is.
+    pub pole: Option<Pole>,
     /// Zero where the linear axes reach the tip, else how far it is from there, in millimetres.
     pub gap: Id,
     /// The axes whose values the inverse takes instead of giving.

@@ -1,6 +1,6 @@
 //! Closing the loop: joints to a pose, the pose to every candidate, each candidate back to the pose.
 
-use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock, SolutionBlock};
+use mach_runtime::kinematics::{Kinematics, LANES, Miss, Outcome, PoseBlock, SolutionBlock, Tolerances};
 use mach_runtime::machine::{Motion, Rule};
 use mach_runtime::vector::{angle_rad, norm, sub};
 use machc::model::machine::{Axis, Model};
@@ -8,6 +8,9 @@ use machc::plan::{Interpreter, Plan};
 
 const TIP_BOUND_MM: f64 = 1e-9;
 const AXIS_BOUND_RAD: f64 = 1e-12;
+
+/// At the edge of the reach half of the digits go.
+const TOLERANCES: Tolerances = Tolerances { axis_rad: 1e-7, plane_mm: TIP_BOUND_MM };
 
 /// Joints spread over the block by a low-discrepancy sequence.
 fn joints(model: &Model, block: usize) -> Vec<[f64; LANES]> {
@@ -51,7 +54,7 @@ pub(crate) fn close_the_loop(
     asked: Option<&[[f64; LANES]]>,
 ) -> Result<(), String> {
     let mut machine = Interpreter::new(plan);
-    let mut solutions = SolutionBlock::new(machine.branch_count(), machine.axis_count());
+    let mut solutions = SolutionBlock::of(&machine);
     let mut reached = PoseBlock::ZERO;
     let given = |axis: &usize| asked.map_or([0.0; LANES], |asked| asked[*axis]);
     let surplus: Vec<_> = machine.surplus_axes().iter().map(given).collect();
@@ -60,8 +63,10 @@ pub(crate) fn close_the_loop(
     for candidate in &solutions.branches {
         machine.forward(candidate, model.tool.length_mm, &mut reached);
         for lane in (0..LANES).filter(|&lane| !far(model, candidate, lane)) {
-            require(solutions.reach_rad[lane] > -1e-7, || format!("reach {}", solutions.reach_rad[lane]))?;
-            require(solutions.gap_mm[lane] <= TIP_BOUND_MM, || format!("gap {}", solutions.gap_mm[lane]))?;
+            let outcome = solutions.outcome(lane, TOLERANCES);
+            // The other candidate may be singular where this one is not.
+            let is_missed = matches!(outcome, Outcome::Missed(miss) if miss != Miss::Singular);
+            require(!is_missed, || format!("{outcome:?}"))?;
             let tip = norm(sub(reached.tip(lane), wanted.tip(lane)));
             let axis = angle_rad(reached.axis(lane), wanted.axis(lane));
             require(tip <= TIP_BOUND_MM, || format!("tip {tip:e} mm"))?;

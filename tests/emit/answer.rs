@@ -6,20 +6,20 @@ fn answer(
     joints: &JointBlock,
     out: &mut Vec<f64>,
 ) {
-    let mut solutions = SolutionBlock::new(solver.branch_count(), solver.axis_count());
+    let mut solutions = SolutionBlock::of(solver);
     let surplus: Vec<Lane> = solver.surplus_axes().iter().map(|&axis| joints[axis]).collect();
     solver.inverse(poses, &surplus, tool_length_mm, &mut solutions);
     solutions.branches.iter().flatten().for_each(|lane| out.extend(lane));
-    out.extend(solutions.reach_rad);
-    out.extend(solutions.pole_sine);
-    out.extend(solutions.gap_mm);
+    let (_, margins) = solutions.parts_mut();
+    [margins.reach_rad, margins.pole, margins.gap_mm].iter().for_each(|lane| out.extend(lane));
     for lane in 0..LANES {
         let mut placed: Vec<f64> = joints.iter().map(|joint| joint[lane]).collect();
-        solver.position(poses.tip(lane), tool_length_mm, &mut placed);
+        let is_held = solver.position(poses.tip(lane), tool_length_mm, &mut placed).is_ok();
         out.extend(placed);
+        out.push(f64::from(u8::from(is_held)));
     }
     let mut reached = PoseBlock::ZERO;
     solver.forward(joints, tool_length_mm, &mut reached);
     reached.tip_mm.iter().chain(&reached.axis).for_each(|lane| out.extend(lane));
-    out.push(solver.free_axis().map_or(-1.0, |axis| axis as f64));
+    out.push(solver.pole().map_or(-1.0, |pole| pole.axis() as f64));
 }

@@ -105,7 +105,7 @@ fn conversation(compiled: &Compiled) -> (String, Vec<Vec<f64>>) {
             lines += &forward_line(&joints);
             wanted.push([&world[..], &copied(compiled, &joints)].concat());
             let mut placed = joints.clone();
-            interpreter.position(poses.tip(lane), tool_length_mm, &mut placed);
+            interpreter.position(poses.tip(lane), tool_length_mm, &mut placed).expect("the tip is held");
             lines += &inverse_line(compiled, world, &joints);
             wanted.push(placed);
         }

@@ -32,7 +32,7 @@ impl<K: Kinematics> Machine<K> {
     pub(crate) fn new(solver: K, poses: &[Pose]) -> Self {
         let (whole, rest) = poses.as_chunks::<LANES>();
         assert!(rest.is_empty(), "poses come in blocks of {LANES}");
-        let solutions = SolutionBlock::new(solver.branch_count(), solver.axis_count());
+        let solutions = SolutionBlock::of(&solver);
         Self { solver, blocks: whole.iter().map(block).collect(), solutions, back: PoseBlock::ZERO }
     }
 

@@ -19,7 +19,6 @@ pub struct Candidate {
     pub rotary_travel_deg: f64,
     /// The same if the travel's limits let each have the whole turns that are nearest.
     ideal_travel_deg: f64,
-    is_regular: bool,
 }
 
 /// An axis beyond its travel.
@@ -78,7 +77,7 @@ pub(super) fn takes_turns(axis: &Axis) -> bool {
 impl Candidate {
     pub(super) fn new(axes: usize) -> Self {
         let joints = vec![0.0; axes];
-        Self { joints, obstacle: None, rotary_travel_deg: 0.0, ideal_travel_deg: 0.0, is_regular: true }
+        Self { joints, obstacle: None, rotary_travel_deg: 0.0, ideal_travel_deg: 0.0 }
     }
 
     /// Takes over what a solution says in one lane.
@@ -102,7 +101,7 @@ impl Candidate {
             is_within &= travel.contains(*joint);
         }
         (self.ideal_travel_deg, self.rotary_travel_deg) = (travel_deg, travel_deg);
-        (self.obstacle, self.is_regular) = (None, true);
+        self.obstacle = None;
         is_within
     }
 
@@ -119,7 +118,6 @@ impl Candidate {
             self.ideal_travel_deg += (nearest - reference).abs();
             self.rotary_travel_deg += (*joint - reference).abs();
         }
-        self.is_regular = self.joints.iter().all(|joint| joint.is_finite());
         self.look_for_obstacles(rules.axes);
     }
 
@@ -148,11 +146,6 @@ impl Candidate {
     /// Whether the travel asked for other whole turns.
     pub(super) fn is_turned(&self) -> bool {
         self.ideal_travel_deg != self.rotary_travel_deg
-    }
-
-    /// Whether the linear axes span space there: the joints are numbers.
-    pub(super) fn is_regular(&self) -> bool {
-        self.is_regular
     }
 }
 

@@ -8,18 +8,11 @@ pub(crate) mod surplus;
 pub use candidate::{Candidate, Obstacle};
 pub use solutions::Solutions;
 
-use crate::kinematics::{Kinematics, SolutionBlock};
+use crate::kinematics::{Kinematics, Miss, Outcome};
 use crate::machine::{Machine, Preference};
 use crate::vector::Vec3;
 use candidate::Rules;
 use std::ops::Range;
-
-/// Below this sine of the angle to the pole the first rotary is free: a few hundred roundings of a unit vector, so that
-/// the axis is exact to 1e-12 rad whatever the free axis does.
-///
-/// Where the position decides the rotary, this is a tip within 1e-10 mm of its axis: what rounding does to a point some
-/// hundred metres away.
-const POLE_SINE: f64 = 1e-13;
 
 /// What was chosen at a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,21 +24,10 @@ pub enum Choice {
         /// Whether the travel kept the machine from a candidate that the policy prefers.
         forced: bool,
     },
-    /// The direction is this far (in radians) from any that the machine can reach.
-    OutOfReach(f64),
-    /// The tip is inside the dead radius of the rotary that the position decides: no angle brings it to the linear axes.
-    InsideDeadRadius {
-        /// By how much, in millimetres.
-        gap_mm: f64,
-        /// The dead radius there, in millimetres.
-        radius_mm: f64,
-    },
-    /// The tip is this far (in millimetres) off the plane of the only two linear axes.
-    OffPlane(f64),
+    /// There is none.
+    Missed(Miss),
     /// Every candidate is beyond the travel; this is the one that is least so.
     OutOfTravel(usize),
-    /// The linear axes do not span space there.
-    Singular,
 }
 
 /// Chooses along a path.
@@ -56,8 +38,6 @@ pub struct Chooser<'m> {
     /// The preferences at the first point of a program, and at every further one.
     start: Vec<Preference>,
     then: Vec<Preference>,
-    /// The axis that is free at the pole.
-    free_axis: Option<usize>,
     /// The joints of the last point that could be reached; zeros before the first.
     previous: Vec<f64>,
     has_position: bool,
@@ -75,7 +55,6 @@ impl<'m> Chooser<'m> {
             rules: Rules::of(&machine.axes),
             start: preference::complete(&machine.branch.start),
             then: preference::complete(&machine.branch.then),
-            free_axis: kinematics.free_axis(),
             previous: vec![0.0; axes],
             has_position: false,
             candidates: vec![Candidate::new(axes); kinematics.branch_count()],
@@ -110,24 +89,22 @@ impl<'m> Chooser<'m> {
         tip_mm: Vec3,
         kinematics: &mut dyn Kinematics,
     ) -> Choice {
-        let block = solutions.block();
-        if self.is_out_of_reach(block, lane) {
-            self.fill(solutions, lane);
-            return Choice::OutOfReach(-block.reach_rad[lane]);
-        }
-        if block.gap_mm[lane] > self.machine.plane_tolerance_mm {
-            self.fill(solutions, lane);
-            return out_of_plane(block, lane, self.free_axis.is_some());
-        }
-        match self.free_axis.filter(|_| block.pole_sine[lane] < POLE_SINE) {
-            Some(free) => {
-                let value = self.wanted_ahead(solutions, ahead, free).unwrap_or_else(|| self.at_rest(free));
+        let outcome = match solutions.outcomes()[lane] {
+            Outcome::Reached => {
                 self.fill(solutions, lane);
-                self.free_at_pole(free, value, tip_mm, kinematics);
+                Ok(())
             }
-            None => self.fill(solutions, lane),
-        }
-        let choice = self.pick();
+            Outcome::FreeAtPole { axis } => {
+                let value = self.wanted_ahead(solutions, ahead, axis).unwrap_or_else(|| self.at_rest(axis));
+                self.fill(solutions, lane);
+                self.free_at_pole(axis, value, tip_mm, kinematics)
+            }
+            Outcome::Missed(miss) => {
+                self.fill(solutions, lane);
+                Err(miss)
+            }
+        };
+        let choice = outcome.map_or_else(Choice::Missed, |()| self.pick());
         if let Choice::Candidate { index, .. } = choice {
             self.previous.copy_from_slice(&self.candidates[index].joints);
             self.has_position = true;
@@ -148,15 +125,11 @@ impl<'m> Chooser<'m> {
         }
     }
 
-    fn is_out_of_reach(&self, block: &SolutionBlock, lane: usize) -> bool {
-        -block.reach_rad[lane] > self.machine.axis_tolerance_rad
-    }
-
     /// Where the first lane off the pole wants the axis that is free until then.
     fn wanted_ahead(&mut self, solutions: &Solutions, mut ahead: Range<usize>, free: usize) -> Option<f64> {
-        let block = solutions.block();
-        let lane = ahead.find(|&lane| block.pole_sine[lane] >= POLE_SINE)?;
-        if self.is_out_of_reach(block, lane) || block.gap_mm[lane] > self.machine.plane_tolerance_mm {
+        let outcomes = solutions.outcomes();
+        let lane = ahead.find(|&lane| !matches!(outcomes[lane], Outcome::FreeAtPole { .. }))?;
+        if outcomes[lane] != Outcome::Reached {
             return None;
         }
         self.fill(solutions, lane);
@@ -167,13 +140,21 @@ impl<'m> Chooser<'m> {
     }
 
     /// Puts the axis that is free at the pole to a value; the linear axes follow.
-    fn free_at_pole(&mut self, free: usize, value: f64, tip_mm: Vec3, kinematics: &mut dyn Kinematics) {
+    fn free_at_pole(
+        &mut self,
+        free: usize,
+        value: f64,
+        tip_mm: Vec3,
+        kinematics: &mut dyn Kinematics,
+    ) -> Result<(), Miss> {
         self.is_unlimited = false;
+        let mut outcome = Ok(());
         for candidate in &mut self.candidates {
             candidate.joints[free] = value;
-            kinematics.position(tip_mm, self.machine.tool_length_mm, &mut candidate.joints);
+            outcome = outcome.and(kinematics.position(tip_mm, self.machine.tool_length_mm, &mut candidate.joints));
             candidate.settle_within_travel(&self.rules, &self.previous);
         }
+        outcome
     }
 
     fn pick(&self) -> Choice {
@@ -181,9 +162,6 @@ impl<'m> Chooser<'m> {
         let order = if self.has_position { &self.then } else { &self.start };
         if self.is_unlimited {
             return Choice::Candidate { index: preference::ideal(candidates, order), forced: false };
-        }
-        if !candidates.iter().all(Candidate::is_regular) {
-            return Choice::Singular;
         }
         let Some(index) = preference::best(candidates, order) else {
             return Choice::OutOfTravel(self.least_beyond());
@@ -197,16 +175,5 @@ impl<'m> Chooser<'m> {
     fn least_beyond(&self) -> usize {
         let beyond = |index: &usize| self.candidates[*index].obstacle.map_or(0.0, |obstacle| obstacle.beyond);
         (0..self.candidates.len()).min_by(|a, b| beyond(a).total_cmp(&beyond(b))).expect("every plan has a branch")
-    }
-}
-
-/// A tip that the linear axes do not reach. Only a rotary that the position decides is free anywhere on such a machine.
-fn out_of_plane(block: &SolutionBlock, lane: usize, turns_to_the_plane: bool) -> Choice {
-    let gap_mm = block.gap_mm[lane];
-    if turns_to_the_plane {
-        // `pole_sine` is the distance from the axis in metres.
-        Choice::InsideDeadRadius { gap_mm, radius_mm: 1000.0 * block.pole_sine[lane] + gap_mm }
-    } else {
-        Choice::OffPlane(gap_mm)
     }
 }

@@ -3,6 +3,7 @@
 use super::Job;
 use crate::branch::{Candidate, Choice, Obstacle};
 use crate::diagnostic::{Code, Diagnostic, Place};
+use crate::kinematics::Miss;
 use crate::machine::{Axis, Motion, Rule, Strictness, Travel};
 use crate::path::{Jump, Solved};
 
@@ -130,32 +131,37 @@ pub(super) fn of(job: Job<'_>, solved: &Solved<'_>) -> Option<Diagnostic> {
     let place = Place::line(job.file, solved.point.line);
     match solved.choice {
         Choice::Candidate { .. } => None,
-        Choice::OutOfReach(angle_rad) => Some(
-            Diagnostic::error(
-                &OUT_OF_REACH,
-                format!("`{}` cannot turn the tool into this direction", job.machine.name),
-            )
-            .at(place, format!("{:.3} deg out of reach", angle_rad.to_degrees()))
-            .note(direction(solved)),
-        ),
-        Choice::InsideDeadRadius { gap_mm, radius_mm } => {
-            let message = format!("`{}` has two linear axes, and no angle brings the point to them", job.machine.name);
-            let label = format!("{gap_mm:.3} mm inside the dead radius of {radius_mm:.3} mm");
-            Some(Diagnostic::error(&INSIDE_DEAD_RADIUS, message).at(place, label))
-        }
-        Choice::OffPlane(gap_mm) => {
-            let message = format!("`{}` has two linear axes, and the point is off their plane", job.machine.name);
-            let label = format!("off the plane by {gap_mm:.3} mm");
-            Some(Diagnostic::error(&OFF_PLANE, message).at(place, label).note("it needs a Y axis"))
-        }
+        Choice::Missed(miss) => Some(missed(job, solved, miss, place)),
         Choice::OutOfTravel(index) => Some(out_of_travel(job, solved, index, place)),
-        Choice::Singular if !job.machine.errors.is_empty() => {
-            let message = format!("no joints of `{}` put the tip there with its errors", job.machine.name);
-            Some(Diagnostic::error(&NOT_COMPENSATED, message).at(place, "").note(direction(solved)))
+    }
+}
+
+fn missed(job: Job<'_>, solved: &Solved<'_>, miss: Miss, place: Place) -> Diagnostic {
+    let name = &job.machine.name;
+    let error = |code, message, label: String| Diagnostic::error(code, message).at(place, label);
+    match miss {
+        Miss::OutOfReach { by_rad } => {
+            let message = format!("`{name}` cannot turn the tool into this direction");
+            let label = format!("{:.3} deg out of reach", by_rad.to_degrees());
+            error(&OUT_OF_REACH, message, label).note(direction(solved))
         }
-        Choice::Singular => {
-            let message = format!("the linear axes of `{}` cannot hold the tip at this angle", job.machine.name);
-            Some(Diagnostic::error(&SINGULAR, message).at(place, "").note(direction(solved)))
+        Miss::InsideDeadRadius { gap_mm, radius_mm } => {
+            let message = format!("`{name}` has two linear axes, and no angle brings the point to them");
+            let label = format!("{gap_mm:.3} mm inside the dead radius of {radius_mm:.3} mm");
+            error(&INSIDE_DEAD_RADIUS, message, label)
+        }
+        Miss::OffPlane { by_mm } => {
+            let message = format!("`{name}` has two linear axes, and the point is off their plane");
+            let label = format!("off the plane by {by_mm:.3} mm");
+            error(&OFF_PLANE, message, label).note("it needs a Y axis")
+        }
+        Miss::NotCompensated => {
+            let message = format!("no joints of `{name}` put the tip there with its errors");
+            error(&NOT_COMPENSATED, message, String::new()).note(direction(solved))
+        }
+        Miss::Singular => {
+            let message = format!("the linear axes of `{name}` cannot hold the tip at this angle");
+            error(&SINGULAR, message, String::new()).note(direction(solved))
         }
     }
 }

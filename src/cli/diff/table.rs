@@ -22,6 +22,7 @@ pub(super) fn reason(refusal: &Refusal) -> String {
         Refusal::Plane => "the point is off the plane of the two linear axes".to_owned(),
         Refusal::Travel(axis) => format!("{axis} beyond its travel"),
         Refusal::Singular => "the linear axes cannot hold the tip there".to_owned(),
+        Refusal::NotCompensated => "no joints put the tip there with the machine's errors".to_owned(),
         Refusal::Word(axis) => format!("the word {axis} is too narrow"),
     }
 }

@@ -1,6 +1,7 @@
 //! The runtime's tables as Rust expressions.
 
 use mach_runtime::error_table::{Component, ErrorTable};
+use mach_runtime::kinematics::Pole;
 use mach_runtime::machine::{
     Axis, BranchPolicy, Chain, Joint, Machine, Motion, Preference, Rule, Strictness, Travel, Written,
 };
@@ -126,6 +127,15 @@ impl<T: Literal> Literal for Option<T> {
 impl<A: Literal, B: Literal> Literal for (A, B) {
     fn literal(&self) -> String {
         format!("({}, {})", self.0.literal(), self.1.literal())
+    }
+}
+
+impl Literal for Pole {
+    fn literal(&self) -> String {
+        match self {
+            Self::Direction { axis } => format!("Pole::Direction {{ axis: {axis} }}"),
+            Self::Position { axis } => format!("Pole::Position {{ axis: {axis} }}"),
+        }
     }
 }
 

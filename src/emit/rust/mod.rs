@@ -74,10 +74,11 @@ impl Kinematics for Solver {{
 
     fn branch_count(&self) -> usize {{ {branches} }}
 
-    fn free_axis(&self) -> Option<usize> {{ {free_axis} }}
+    fn pole(&self) -> Option<Pole> {{ {pole} }}
 
 {surplus_axes}    fn inverse(&mut self, poses: &PoseBlock, {surplus_lanes}: &[Lane], tool_length_mm: f64, out: &mut SolutionBlock) {{
-        let mut candidates = candidate_lanes::<{axes}, {branches}>(&mut out.branches);
+        let (candidates, margins) = out.parts_mut();
+        let mut candidates = candidate_lanes::<{axes}, {branches}>(candidates);
         for lane in 0..LANES {{
             let found = inverse(poses.tip(lane), poses.axis(lane), tool_length_mm{surplus_joints});
             for (lanes, joints) in candidates.iter_mut().zip(found.joints) {{
@@ -85,14 +86,15 @@ impl Kinematics for Solver {{
                     lanes[lane] = joint;
                 }}{surplus_copies}
             }}
-            out.reach_rad[lane] = found.reach;
-            out.pole_sine[lane] = found.pole_sine;
-            out.gap_mm[lane] = found.gap;
+            margins.reach_rad[lane] = found.reach;
+            margins.pole[lane] = found.pole;
+            margins.gap_mm[lane] = found.gap;
         }}
     }}
 
-    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) {{
+    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) -> Result<(), Miss> {{
         [{solved}] = position(tip_mm, tool_length_mm, [{given}]);
+        held(joints)
     }}
 
     fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {{
@@ -107,7 +109,7 @@ impl Kinematics for Solver {{
         name = compiled.model.name,
         axes = compiled.model.axes.len(),
         branches = compiled.plan.branches.len(),
-        free_axis = compiled.plan.free_axis.literal(),
+        pole = compiled.plan.pole.literal(),
         surplus_axes = surplus_axes(surplus),
         surplus_lanes = if surplus.is_empty() { "_" } else { "surplus" },
         surplus_joints = if surplus.is_empty() { "" } else { ", std::array::from_fn(|joint| surplus[joint][lane])" },
@@ -157,7 +159,7 @@ fn inverse_code(compiled: &Compiled) -> String {
     let (count, branches) = (compiled.model.axes.len(), compiled.plan.branches.len());
     let solutions: Vec<String> =
         outputs[..count * branches].chunks(count).map(|joints| array(&in_degrees(compiled, joints))).collect();
-    let [reach, pole_sine, gap] = &outputs[count * branches..] else { unreachable!("an inverse has these outputs") };
+    let [reach, pole, gap] = &outputs[count * branches..] else { unreachable!("an inverse has these outputs") };
     format!(
         "
 /// Every solution for one pose.
@@ -166,8 +168,8 @@ struct Solutions {{
     joints: [[f64; {count}]; {branches}],
     /// Zero where the direction is within reach, else minus the angle to it, in radians.
     reach: f64,
-    /// At zero the first rotary axis is free.
-    pole_sine: f64,
+    /// How far it is to the pole: a sine or millimetres.
+    pole: f64,
     /// Zero where the linear axes reach the tip, else how far it is from there, in millimetres.
     gap: f64,
 }}
@@ -176,12 +178,12 @@ struct Solutions {{
 #[inline]
 fn inverse({arguments}) -> Solutions {{
 {body}
-    Solutions {{ joints: [{solutions}], {reach}, {pole_sine}, {gap} }}
+    Solutions {{ joints: [{solutions}], {reach}, {pole}, {gap} }}
 }}
 ",
         solutions = solutions.join(", "),
         reach = field("reach", reach),
-        pole_sine = field("pole_sine", pole_sine),
+        pole = field("pole", pole),
         gap = field("gap", gap),
     )
 }

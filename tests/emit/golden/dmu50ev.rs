@@ -25,8 +25,8 @@ impl Kinematics for Solver {
         2
     }
 
-    fn free_axis(&self) -> Option<usize> {
-        Some(4)
+    fn pole(&self) -> Option<Pole> {
+        Some(Pole::Direction { axis: 4 })
     }
 
     fn inverse(
@@ -36,7 +36,8 @@ impl Kinematics for Solver {
         tool_length_mm: f64,
         out: &mut SolutionBlock,
     ) {
-        let mut candidates = candidate_lanes::<5, 2>(&mut out.branches);
+        let (candidates, margins) = out.parts_mut();
+        let mut candidates = candidate_lanes::<5, 2>(candidates);
         for lane in 0..LANES {
             let found = inverse(poses.tip(lane), poses.axis(lane), tool_length_mm);
             for (lanes, joints) in candidates.iter_mut().zip(found.joints) {
@@ -44,18 +45,24 @@ impl Kinematics for Solver {
                     lanes[lane] = joint;
                 }
             }
-            out.reach_rad[lane] = found.reach;
-            out.pole_sine[lane] = found.pole_sine;
-            out.gap_mm[lane] = found.gap;
+            margins.reach_rad[lane] = found.reach;
+            margins.pole[lane] = found.pole;
+            margins.gap_mm[lane] = found.gap;
         }
     }
 
-    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) {
+    fn position(
+        &mut self,
+        tip_mm: Vec3,
+        tool_length_mm: f64,
+        joints: &mut [f64],
+    ) -> Result<(), Miss> {
         [joints[0], joints[1], joints[2]] = position(
             tip_mm,
             tool_length_mm,
             [joints[3], joints[4]],
         );
+        held(joints)
     }
 
     fn forward(
@@ -81,8 +88,8 @@ struct Solutions {
     joints: [[f64; 5]; 2],
     /// Zero where the direction is within reach, else minus the angle to it, in radians.
     reach: f64,
-    /// At zero the first rotary axis is free.
-    pole_sine: f64,
+    /// How far it is to the pole: a sine or millimetres.
+    pole: f64,
     /// Zero where the linear axes reach the tip, else how far it is from there, in millimetres.
     gap: f64,
 }
@@ -187,7 +194,7 @@ fn inverse(tip: [f64; 3], axis: [f64; 3], tool_length: f64) -> Solutions {
             [x_2, y_2, z_2, b_2.to_degrees(), c_2.to_degrees()],
         ],
         reach,
-        pole_sine,
+        pole: pole_sine,
         gap,
     }
 }
