@@ -17,6 +17,7 @@ mod tmv710a;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use mach_runtime::cl::{Next, Reader, ReaderOptions};
+use mach_runtime::kinematics::segment::{Place, deviation};
 use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock, SolutionBlock};
 use mach_runtime::post::{Job, post};
 use machc::compile::{Compiled, Sources, compile};
@@ -110,6 +111,18 @@ fn forward(bencher: Bencher<'_, '_>, name: &str) {
     let joints = vec![std::array::from_fn(|lane| lane as f64); interpreter.axis_count()];
     let mut poses = PoseBlock::ZERO;
     bencher.counter(ItemsCount::new(LANES)).bench_local(|| interpreter.forward(&joints, 150.0, &mut poses));
+}
+
+#[divan::bench(args = MACHINES)]
+fn segment_bound(bencher: Bencher<'_, '_>, name: &str) {
+    let chain = tables::machine(&machine(name).model).chain;
+    let joints = [[0.0, 10.0, 20.0, 30.0, 40.0], [0.5, 10.5, 20.2, 31.0, 42.0]];
+    let half_way = chain.pose(&[0.25, 10.25, 20.1, 30.5, 41.0], 150.0);
+    let ends = joints.each_ref().map(|joints| {
+        let (tip_mm, axis) = chain.pose(joints, 150.0);
+        Place { joints, tip_mm, axis }
+    });
+    bencher.bench_local(|| deviation(&chain, divan::black_box(ends), half_way, 150.0));
 }
 
 #[divan::bench]

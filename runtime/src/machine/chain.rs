@@ -43,19 +43,8 @@ impl Chain {
     /// Tip (in millimetres) and unit tool axis for joint values in millimetres and degrees, in the order of the machine's
     /// axes: the machine as it is without errors that depend on positions.
     pub fn pose(&self, joints: &[f64], tool_length_mm: f64) -> (Vec3, Vec3) {
-        let (mut tip, mut axis) = (self.tip_at_home(tool_length_mm), self.tool_axis);
-        for joint in self.joints.iter().rev() {
-            let value = joint.signed(joints[joint.axis]);
-            match joint.motion {
-                Motion::Linear => tip = add(tip, scale(value, joint.direction)),
-                Motion::Rotary => {
-                    let turn = libm::sincos(value.to_radians());
-                    tip = add(joint.point_mm, joint.turned(turn, sub(tip, joint.point_mm)));
-                    axis = joint.turned(turn, axis);
-                }
-            }
-        }
-        (tip, axis)
+        let home = (self.tip_at_home(tool_length_mm), self.tool_axis);
+        self.joints.iter().rev().fold(home, |pose, joint| joint.moved(joint.signed(joints[joint.axis]), pose))
     }
 }
 
@@ -65,10 +54,21 @@ impl Joint {
         if self.primed { -value } else { value }
     }
 
-    /// A vector turned about the joint's direction by an angle with this sine and cosine.
-    pub fn turned(&self, (sine, cosine): (f64, f64), v: Vec3) -> Vec3 {
-        let n = self.direction;
-        let along = scale(dot(n, v), n);
-        add(along, add(scale(cosine, sub(v, along)), scale(sine, cross(n, v))))
+    /// Tip (in millimetres) and tool axis, moved by this much: millimetres or degrees, [`Self::signed`].
+    pub fn moved(&self, by: f64, (tip, axis): (Vec3, Vec3)) -> (Vec3, Vec3) {
+        match self.motion {
+            Motion::Linear => (add(tip, scale(by, self.direction)), axis),
+            Motion::Rotary => {
+                let turn = libm::sincos(by.to_radians());
+                let turned = |v| turned(self.direction, turn, v);
+                (add(self.point_mm, turned(sub(tip, self.point_mm))), turned(axis))
+            }
+        }
     }
+}
+
+/// A vector turned about a direction by an angle with this sine and cosine.
+fn turned(n: Vec3, (sine, cosine): (f64, f64), v: Vec3) -> Vec3 {
+    let along = scale(dot(n, v), n);
+    add(along, add(scale(cosine, sub(v, along)), scale(sine, cross(n, v))))
 }
