@@ -17,9 +17,9 @@ mod tmv710a;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use mach_runtime::cl::{Next, Reader, ReaderOptions};
-use mach_runtime::kinematics::segment::{Place, deviation};
 use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock, SolutionBlock};
 use mach_runtime::post::{Job, post};
+use mach_runtime::segment::Segments;
 use machc::compile::{Compiled, Sources, compile};
 use machc::emit::tables;
 use machc::plan::Interpreter;
@@ -114,15 +114,15 @@ fn forward(bencher: Bencher<'_, '_>, name: &str) {
 }
 
 #[divan::bench(args = MACHINES)]
-fn segment_bound(bencher: Bencher<'_, '_>, name: &str) {
-    let chain = tables::machine(&machine(name).model).chain;
-    let joints = [[0.0, 10.0, 20.0, 30.0, 40.0], [0.5, 10.5, 20.2, 31.0, 42.0]];
-    let half_way = chain.pose(&[0.25, 10.25, 20.1, 30.5, 41.0], 150.0);
-    let ends = joints.each_ref().map(|joints| {
-        let (tip_mm, axis) = chain.pose(joints, 150.0);
-        Place { joints, tip_mm, axis }
+fn between_points(bencher: Bencher<'_, '_>, name: &str) {
+    let machine = tables::machine(&machine(name).model);
+    let mut segments = Segments::new(&machine.chain, machine.tool_length_mm);
+    let ends = [[0.0, 10.0, 20.0, 30.0, 40.0], [0.5, 10.5, 20.2, 31.0, 42.0]];
+    let mut next = ends.iter().cycle();
+    bencher.bench_local(|| {
+        segments.go_to(next.next().expect("they go round"));
+        segments.quick_bound_mm()
     });
-    bencher.bench_local(|| deviation(&chain, divan::black_box(ends), half_way, 150.0));
 }
 
 #[divan::bench]

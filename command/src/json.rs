@@ -52,6 +52,9 @@ pub(crate) struct Certificate<'a> {
     tip_error_mm: Worst,
     axis_error_rad: Worst,
     rotary_step_deg: Worst,
+    off_line_in_cuts_mm: Worst,
+    off_line_in_rapid_mm: Worst,
+    blocks_off_line: u64,
     axes: Vec<Axis<'a>>,
 }
 
@@ -122,6 +125,9 @@ impl<'a> Certificate<'a> {
             tip_error_mm: Worst::new(certificate.tip_mm),
             axis_error_rad: Worst::new(certificate.axis_rad),
             rotary_step_deg: Worst::new(certificate.rotary_step_deg),
+            off_line_in_cuts_mm: Worst::new(certificate.between.feed_mm),
+            off_line_in_rapid_mm: Worst::new(certificate.between.rapid_mm),
+            blocks_off_line: certificate.between.beyond_tolerance,
             axes: certificate.ranges.iter().map(Axis::new).collect(),
         }
     }

@@ -1,6 +1,7 @@
 //! The certificate: how close the printed program is to the CL, and how close the machine comes to its limits.
 
 use crate::machine::{Axis, Motion};
+use crate::segment::Segments;
 use crate::vector::{Vec3, cross, dot, sub};
 use std::fmt;
 
@@ -72,8 +73,8 @@ impl Range {
     }
 }
 
-/// What was found when the printed program was read back and compared with the CL at every point. What the machine does
-/// between two points, when its axes move linearly, is not compared.
+/// What was found when the printed program was read back and compared with the CL at every point, and what the machine does
+/// between two points, when its axes move linearly.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Certificate {
     /// Points of the toolpath, those of arcs included.
@@ -86,6 +87,8 @@ pub struct Certificate {
     pub axis_rad: Extreme,
     /// The largest sum of rotary motion in one block at feed, in degrees.
     pub rotary_step_deg: Extreme,
+    /// How far the tip leaves the straight line between two points at most.
+    pub between: Between,
     /// Of each axis.
     pub ranges: Vec<Range>,
 }
@@ -99,6 +102,7 @@ impl Certificate {
             tip_mm: Extreme::default(),
             axis_rad: Extreme::default(),
             rotary_step_deg: Extreme::default(),
+            between: Between::default(),
             ranges: axes.iter().map(Range::new).collect(),
         }
     }
@@ -126,6 +130,32 @@ impl Certificate {
     /// The rotary motion of a block at feed.
     pub(crate) fn step(&mut self, line: u64, rotary_deg: f64) {
         self.rotary_step_deg.meet(rotary_deg, line);
+    }
+}
+
+/// How far the tip leaves the straight line between two points, while every axis moves linearly: bounds that are proved
+/// ([`crate::segment`]), in millimetres, at the line of the point where the block ends.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Between {
+    /// At feed.
+    pub feed_mm: Extreme,
+    /// In rapid traverse, if the axes move linearly there too.
+    pub rapid_mm: Extreme,
+    /// How many blocks at feed leave their line by more than the machine's chord tolerance.
+    pub beyond_tolerance: u64,
+}
+
+impl Between {
+    /// A block from one point to the next. Only what may be the worst, or beyond the tolerance, is looked at closely.
+    #[inline]
+    pub(crate) fn meet(&mut self, segments: &Segments<'_>, is_cut: bool, line: u64, tolerance_mm: f64) {
+        let quick_mm = segments.quick_bound_mm();
+        let worst = if is_cut { &mut self.feed_mm } else { &mut self.rapid_mm };
+        if worst.line == 0 || quick_mm > worst.value {
+            worst.meet(segments.deviation_mm(), line);
+        }
+        let is_beyond = || segments.half_way_mm() > tolerance_mm || segments.deviation_mm() > tolerance_mm;
+        self.beyond_tolerance += u64::from(is_cut && quick_mm > tolerance_mm && is_beyond());
     }
 }
 
@@ -168,9 +198,18 @@ impl fmt::Display for Certificate {
         };
         worst(f, "largest tip error", format!("{:.6} mm", self.tip_mm.value), &self.tip_mm)?;
         worst(f, "largest axis error", format!("{:.6} deg", self.axis_rad.value.to_degrees()), &self.axis_rad)?;
-        if self.rotary_step_deg.line != 0 && self.ranges.iter().any(|range| range.axis.motion == Motion::Rotary) {
+        if !self.ranges.iter().any(|range| range.axis.motion == Motion::Rotary) {
+            return self.ranges.iter().try_for_each(|range| writeln!(f, "  {range}"));
+        }
+        if self.rotary_step_deg.line != 0 {
             let step = format!("{:.3} deg", self.rotary_step_deg.value);
             worst(f, "largest rotary step", step, &self.rotary_step_deg)?;
+        }
+        let Between { feed_mm, rapid_mm, .. } = &self.between;
+        for (title, bound_mm) in [("off the line in cuts", feed_mm), ("off the line in rapid", rapid_mm)] {
+            if bound_mm.line != 0 {
+                worst(f, title, format!("at most {:.6} mm", bound_mm.value), bound_mm)?;
+            }
         }
         self.ranges.iter().try_for_each(|range| writeln!(f, "  {range}"))
     }

@@ -1,7 +1,6 @@
 //! The machine's kinematics as the runtime sees it: blocks of poses in, blocks of candidates out, and back.
 
 mod outcome;
-pub mod segment;
 mod solution;
 
 pub use outcome::{Miss, Outcome, Pole, Tolerances};

@@ -1,5 +1,6 @@
 //! The post: CL in, NC text out, read back as it is written.
 
+mod between;
 mod checker;
 mod pipeline;
 mod printer;
@@ -18,6 +19,7 @@ use printer::Printer;
 use std::io::{self, Read, Write};
 use std::num::NonZeroUsize;
 
+pub use between::OFF_THE_LINE;
 pub use refusal::{
     INSIDE_DEAD_RADIUS, NO_FEED_RATE, NOT_COMPENSATED, OFF_PLANE, OUT_OF_REACH, OUT_OF_TRAVEL, REPOSITION,
     REPOSITION_WARNING, SINGULAR, TOO_MANY_ERRORS,
@@ -63,11 +65,15 @@ pub fn post<R: Read, K: Kinematics + Clone + Send>(
         pipeline.run_side_by_side()?
     }
     let certificate = pipeline.checker.finish()?;
-    Ok(pipeline.printer.is_without_errors().then_some(certificate))
+    if !pipeline.printer.is_without_errors() {
+        return Ok(None);
+    }
+    between::warning(job, &certificate.between).into_iter().for_each(tell);
+    Ok(Some(certificate))
 }
 
 /// The codes that a post may raise by itself.
-pub static CODES: [&Code; 10] = [
+pub static CODES: [&Code; 11] = [
     &OUT_OF_REACH,
     &OUT_OF_TRAVEL,
     &REPOSITION,
@@ -78,4 +84,5 @@ pub static CODES: [&Code; 10] = [
     &OFF_PLANE,
     &REPOSITION_WARNING,
     &NO_FEED_RATE,
+    &OFF_THE_LINE,
 ];

@@ -41,7 +41,8 @@ fn new_output_waits_for_a_review_and_is_then_locked() {
     let pending = workshop.read(PENDING);
     let head = "---\nsource: mill.mach\ndescription: part on mill\n---\n==== mill.mach\n";
     assert!(pending.starts_with(head), "{pending}");
-    assert!(pending.contains("\n==== programs/part.cls\ncertificate: "), "{pending}");
+    assert!(pending.contains("\n==== programs/part.cls\nwarning[W1110]: "), "{pending}");
+    assert!(pending.contains("\ncertificate: "), "{pending}");
 
     let run = workshop.run(&["review", "--accept"]);
     assert_eq!((run.status, workshop.path(PENDING).exists()), (0, false), "{}", run.stderr);

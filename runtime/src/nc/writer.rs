@@ -63,6 +63,12 @@ impl Writer {
         &self.dialect
     }
 
+    /// Whether the control knows where all axes are: not before the first motion, nor behind a block that moves an axis
+    /// elsewhere.
+    pub fn knows_position(&self) -> bool {
+        self.state.axes.are_known()
+    }
+
     /// Appends the block of a command (any trigger but a motion).
     ///
     /// # Errors

@@ -72,6 +72,11 @@ impl WrittenAxes {
         self.axes.iter_mut().for_each(|axis| axis.now = UNKNOWN);
     }
 
+    /// Whether the control knows all of them.
+    pub(super) fn are_known(&self) -> bool {
+        self.axes.iter().all(|axis| axis.now != UNKNOWN)
+    }
+
     /// Whether the word of one of these axes changes.
     pub(super) fn change(&self, indices: &[usize]) -> bool {
         indices.iter().any(|index| self.axes[*index].changes())

@@ -3,10 +3,11 @@
 use super::Job;
 use super::stretch::{PrintedPoint, Stretch};
 use crate::certificate::{Certificate, Deviation};
-use crate::cl::event::Point;
+use crate::cl::event::{Approach, Point};
 use crate::compensation::Compensated;
 use crate::kinematics::{JointBlock, Kinematics, LANES, PoseBlock};
 use crate::readback::ReadBack;
+use crate::segment::Segments;
 use crate::vector::add;
 use std::io::{self, Write};
 
@@ -17,6 +18,7 @@ pub(super) struct Checker<'a, K> {
     nc: &'a mut dyn Write,
     readback: ReadBack,
     certificate: Certificate,
+    segments: Segments<'a>,
     /// What the text of a block of points says, and where that takes the tool.
     joints: JointBlock,
     poses: PoseBlock,
@@ -33,6 +35,7 @@ impl<'a, K: Kinematics> Checker<'a, K> {
             nc,
             readback: ReadBack::new(job.dialect, axes, job.machine.tool_length_mm),
             certificate: Certificate::new(axes),
+            segments: Segments::new(&job.machine.chain, job.machine.tool_length_mm),
             joints: vec![[0.0; LANES]; axes.len()],
             poses: PoseBlock::ZERO,
             wanted: PoseBlock::ZERO,
@@ -44,7 +47,7 @@ impl<'a, K: Kinematics> Checker<'a, K> {
         let joints = stretch.joints.chunks(LANES * self.joints.len());
         for (printed, joints) in stretch.printed.chunks(LANES).zip(joints) {
             self.watch(printed, joints, &stretch.points);
-            self.read(printed, stretch);
+            self.read(printed, joints, stretch);
             self.compare(printed, &stretch.points);
         }
         self.nc.write_all(&stretch.text)
@@ -67,9 +70,10 @@ impl<'a, K: Kinematics> Checker<'a, K> {
         }
     }
 
-    /// Reads the text of up to [`LANES`] points.
-    fn read(&mut self, printed: &[PrintedPoint], stretch: &Stretch) {
-        for (lane, printed) in printed.iter().enumerate() {
+    /// Reads the text of up to [`LANES`] points, which the solver put at `solved`.
+    fn read(&mut self, printed: &[PrintedPoint], solved: &[f64], stretch: &Stretch) {
+        let axes = self.joints.len();
+        for (lane, (printed, solved)) in printed.iter().zip(solved.chunks(axes)).enumerate() {
             let motion = printed.text.clone();
             let read = self.readback.read(&stretch.text, motion.clone());
             let (blocks, joints) = read.unwrap_or_else(|error| {
@@ -81,6 +85,18 @@ impl<'a, K: Kinematics> Checker<'a, K> {
             for (joint, value) in self.joints.iter_mut().zip(joints) {
                 joint[lane] = *value;
             }
+            self.look_between(printed, blocks, solved, &stretch.points);
+        }
+    }
+
+    /// Looks at the way to a point from the one before it, which the solver's joints know: a word within a turn does not say
+    /// how the axis gets there. Several blocks are an approach, which has a way of its own.
+    fn look_between(&mut self, printed: &PrintedPoint, blocks: u64, solved: &[f64], points: &[Point]) {
+        self.segments.go_to(solved);
+        if printed.is_next && blocks == 1 {
+            let Point { approach, line, .. } = points[printed.point];
+            let is_cut = matches!(approach, Approach::Feed(_));
+            self.certificate.between.meet(&self.segments, is_cut, line, self.job.machine.chord_tolerance_mm);
         }
     }
 

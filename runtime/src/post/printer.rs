@@ -109,12 +109,12 @@ impl<'a> Printer<'a> {
                 if is_reposition(solved) {
                     diagnostics.push(refusal::of_step(*job, solved, chosen));
                 }
-                let start = text.len();
+                let (start, is_next) = (text.len(), writer.knows_position());
                 match writer.motion(solved.point.approach, &chosen.joints, length_mm, text) {
                     Ok(()) => {
                         let rotary_step_deg = rotary_step_deg(solved, chosen);
                         let point = block.start + solved.lane;
-                        printed.push(PrintedPoint { point, text: start..text.len(), rotary_step_deg });
+                        printed.push(PrintedPoint { point, text: start..text.len(), rotary_step_deg, is_next });
                         joints.extend_from_slice(&chosen.joints);
                     }
                     Err(error) => diagnostics.push(at_line(&error, job.file, solved.point.line)),

@@ -40,6 +40,8 @@ pub(super) struct PrintedPoint {
     pub(super) text: Range<usize>,
     /// The rotary motion there in degrees, summed, where it is a motion at feed from another point.
     pub(super) rotary_step_deg: Option<f64>,
+    /// Whether the program goes there from the point before, with nothing between that moves an axis.
+    pub(super) is_next: bool,
 }
 
 impl Stretch {
