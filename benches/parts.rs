@@ -18,6 +18,7 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use mach_runtime::cl::{Next, Reader, ReaderOptions};
 use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock, SolutionBlock};
+use mach_runtime::machine::ToolGeometry;
 use mach_runtime::post::{Job, post};
 use mach_runtime::segment::Segments;
 use machc::compile::{Compiled, Sources, compile};
@@ -26,6 +27,7 @@ use machc::plan::Interpreter;
 use std::num::NonZeroUsize;
 
 const MACHINES: [&str; 4] = ["tmv710a", "dmu50ev", "dmu80_monoblock", "endura900"];
+const TOOL: ToolGeometry = ToolGeometry::of_length(150.0);
 const RECORDS: usize = 10_000;
 
 fn main() {
@@ -68,7 +70,7 @@ fn inverse_all_branches(bencher: Bencher<'_, '_>, name: &str) {
     let mut interpreter = Interpreter::new(&machine(name).plan);
     let mut solutions = SolutionBlock::of(&interpreter);
     let poses = poses();
-    bencher.counter(ItemsCount::new(LANES)).bench_local(|| interpreter.inverse(&poses, &[], 150.0, &mut solutions));
+    bencher.counter(ItemsCount::new(LANES)).bench_local(|| interpreter.inverse(&poses, &[], TOOL, &mut solutions));
 }
 
 /// The machines that have a generated solver and one written by hand.
@@ -82,7 +84,7 @@ fn inverse_generated(bencher: Bencher<'_, '_>, name: &str) {
     };
     let mut solutions = SolutionBlock::of(&*solver);
     let poses = poses();
-    bencher.counter(ItemsCount::new(LANES)).bench_local(|| solver.inverse(&poses, &[], 150.0, &mut solutions));
+    bencher.counter(ItemsCount::new(LANES)).bench_local(|| solver.inverse(&poses, &[], TOOL, &mut solutions));
 }
 
 #[divan::bench(args = SOLVED_BY_HAND)]
@@ -91,10 +93,10 @@ fn inverse_by_hand(bencher: Bencher<'_, '_>, name: &str) {
     let mut interpreter = Interpreter::new(&machine(name).plan);
     let (mut solutions, mut expected) = (SolutionBlock::of(&interpreter), SolutionBlock::of(&interpreter));
     let poses = poses();
-    interpreter.inverse(&poses, &[], 150.0, &mut expected);
-    solve(&poses, 150.0, &mut solutions);
+    interpreter.inverse(&poses, &[], TOOL, &mut expected);
+    solve(&poses, TOOL.length_mm, &mut solutions);
     assert_close(&solutions, &expected);
-    bencher.counter(ItemsCount::new(LANES)).bench_local(|| solve(&poses, 150.0, &mut solutions));
+    bencher.counter(ItemsCount::new(LANES)).bench_local(|| solve(&poses, TOOL.length_mm, &mut solutions));
 }
 
 /// Whoever is faster must not be so by being wrong.
@@ -110,13 +112,13 @@ fn forward(bencher: Bencher<'_, '_>, name: &str) {
     let mut interpreter = Interpreter::new(&machine(name).plan);
     let joints = vec![std::array::from_fn(|lane| lane as f64); interpreter.axis_count()];
     let mut poses = PoseBlock::ZERO;
-    bencher.counter(ItemsCount::new(LANES)).bench_local(|| interpreter.forward(&joints, 150.0, &mut poses));
+    bencher.counter(ItemsCount::new(LANES)).bench_local(|| interpreter.forward(&joints, TOOL, &mut poses));
 }
 
 #[divan::bench(args = MACHINES)]
 fn between_points(bencher: Bencher<'_, '_>, name: &str) {
     let machine = tables::machine(&machine(name).model);
-    let mut segments = Segments::new(&machine.chain, machine.tool_length_mm);
+    let mut segments = Segments::new(&machine.chain, machine.tool());
     let ends = [[0.0, 10.0, 20.0, 30.0, 40.0], [0.5, 10.5, 20.2, 31.0, 42.0]];
     let mut next = ends.iter().cycle();
     bencher.bench_local(|| {

@@ -1,7 +1,7 @@
 //! The chain among the runtime's tables says what was derived of the same machine file: where joints take the tool.
 
 use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock};
-use mach_runtime::machine::{Axis, Machine, Motion, Rule};
+use mach_runtime::machine::{Axis, Machine, Motion, Rule, ToolGeometry};
 use mach_runtime::vector::{angle_rad, norm, sub};
 use machc::derive::derive;
 use machc::emit::tables;
@@ -21,6 +21,8 @@ use random::{has_its_freedoms, machine, run, with_surplus};
 const TIP_BOUND_MM: f64 = 1e-9;
 const AXIS_BOUND_RAD: f64 = 1e-12;
 
+const TOOL: ToolGeometry = ToolGeometry::of_length(125.0);
+
 /// Joints spread over the block by a low-discrepancy sequence.
 fn joints(machine: &Machine) -> Vec<[f64; LANES]> {
     const STEPS: [f64; 7] = [0.754_877, 0.569_840, 0.618_033, 0.414_213, 0.732_050, 0.236_067, 0.645_751];
@@ -35,10 +37,10 @@ fn joints(machine: &Machine) -> Vec<[f64; LANES]> {
 fn compare(model: &Model) -> Result<(), String> {
     let (machine, plan) = (tables::machine(model), derive(model));
     let (joints, mut expected) = (joints(&machine), PoseBlock::ZERO);
-    Interpreter::new(&plan).forward(&joints, 125.0, &mut expected);
+    Interpreter::new(&plan).forward(&joints, TOOL, &mut expected);
     for lane in 0..LANES {
         let values: Vec<f64> = joints.iter().map(|joint| joint[lane]).collect();
-        let (tip, axis) = machine.chain.pose(&values, 125.0);
+        let (tip, axis) = machine.chain.pose(&values, TOOL);
         let (tip_mm, off_rad) = (norm(sub(tip, expected.tip(lane))), angle_rad(axis, expected.axis(lane)));
         if tip_mm > TIP_BOUND_MM || off_rad > AXIS_BOUND_RAD {
             return Err(format!("{}: {tip_mm:e} mm, {off_rad:e} rad", machine.name));

@@ -1,6 +1,7 @@
 //! Symbolic derivatives against central differences: random expressions, the forward chains of all shipped machines, and
 //! the choices at ties that the documentation promises.
 
+use mach_runtime::machine::ToolGeometry;
 use machc::plan::{Graph, Id, Jacobian, Program};
 use proptest::prelude::*;
 
@@ -162,6 +163,7 @@ fn at_a_tie_the_derivative_is_that_of_the_operand_taken() {
 #[test]
 fn the_forward_chain_of_every_machine_has_the_jacobian_of_its_differences() {
     const STEP: f64 = 1e-5;
+    const TOOL: ToolGeometry = ToolGeometry::of_length(80.0);
     for name in stems::stems("machines", "mach") {
         let compiled = machine::compiled(&format!("machines/{name}.mach"), &machine::Files);
         let axes = compiled.plan.rotary.len();
@@ -171,13 +173,13 @@ fn the_forward_chain_of_every_machine_has_the_jacobian_of_its_differences() {
             let joints: Vec<f64> =
                 (0..axes).map(|axis| at(axis) / if compiled.plan.rotary[axis] { 10.0 } else { 0.1 }).collect();
             let mut columns = vec![[0.0; 6]; axes];
-            let pose = chain.derivatives(&joints, 80.0, &mut columns);
-            assert_eq!(pose, chain.pose(&joints, 80.0), "{name}");
+            let pose = chain.derivatives(&joints, TOOL, &mut columns);
+            assert_eq!(pose, chain.pose(&joints, TOOL), "{name}");
             for (axis, column) in columns.iter().enumerate() {
                 let mut moved = |by: f64| {
                     let mut joints = joints.clone();
                     joints[axis] += by;
-                    chain.pose(&joints, 80.0)
+                    chain.pose(&joints, TOOL)
                 };
                 let (above, below) = (moved(STEP), moved(-STEP));
                 for i in 0..6 {

@@ -1,7 +1,7 @@
 //! Denavit–Hartenberg tables: the same machine as by directions, and the product of its links.
 
 use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock};
-use mach_runtime::machine::Motion;
+use mach_runtime::machine::{Motion, ToolGeometry};
 use mach_runtime::vector::{angle_rad, norm, sub};
 use machc::compile::{Compiled, Sources, compile};
 use machc::plan::Interpreter;
@@ -117,7 +117,7 @@ fn joint(axis: usize, lane: usize) -> f64 {
 fn forward(compiled: &Compiled, tool_length_mm: f64) -> PoseBlock {
     let joints = (0..compiled.model.axes.len()).map(|axis| std::array::from_fn(|lane| joint(axis, lane))).collect();
     let mut poses = PoseBlock::ZERO;
-    Interpreter::new(&compiled.plan).forward(&joints, tool_length_mm, &mut poses);
+    Interpreter::new(&compiled.plan).forward(&joints, ToolGeometry::of_length(tool_length_mm), &mut poses);
     poses
 }
 

@@ -3,7 +3,7 @@
 use mach_runtime::compensation::Compensated;
 use mach_runtime::error_table::{Component, ErrorTable};
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Miss, Outcome, PoseBlock, SolutionBlock, Tolerances};
-use mach_runtime::machine::Motion;
+use mach_runtime::machine::{Motion, ToolGeometry};
 use mach_runtime::vector::{angle_rad, cross, norm, sub};
 use machc::compile::{Compiled, Sources};
 use machc::derive::derive;
@@ -124,7 +124,7 @@ fn the_forward_chain_with_errors_is_that_of_an_independent_model() {
         let (tables, plan) = (tables::machine(&model), derive(&model));
         let mut kinematics = Compensated::new(Interpreter::new(&plan), &tables);
         let (joints, mut poses) = (joints(&model, 0), PoseBlock::ZERO);
-        kinematics.forward(&joints, model.tool.length_mm, &mut poses);
+        kinematics.forward(&joints, model.tool.geometry(), &mut poses);
         for lane in 0..LANES {
             let values: Vec<f64> = joints.iter().map(|joint| joint[lane]).collect();
             let (tip, axis) = pose(&model, &tables.axes, &values);
@@ -148,10 +148,10 @@ fn four_corrections_put_the_tip_where_it_should_be() {
         let (mut wanted, mut reached) = (PoseBlock::ZERO, PoseBlock::ZERO);
         let mut solutions = SolutionBlock::of(&kinematics);
         for block in 0..4 {
-            kinematics.forward(&joints(&model, block), model.tool.length_mm, &mut wanted);
-            kinematics.inverse(&wanted, &[], model.tool.length_mm, &mut solutions);
+            kinematics.forward(&joints(&model, block), model.tool.geometry(), &mut wanted);
+            kinematics.inverse(&wanted, &[], model.tool.geometry(), &mut solutions);
             for candidate in &solutions.branches {
-                kinematics.forward(candidate, model.tool.length_mm, &mut reached);
+                kinematics.forward(candidate, model.tool.geometry(), &mut reached);
                 for lane in (0..LANES).filter(|&lane| !far(candidate, lane)) {
                     let tip = norm(sub(reached.tip(lane), wanted.tip(lane)));
                     prop_assert!(tip <= TIP_BOUND_MM, "{}: tip {tip:e} mm", model.name);
@@ -176,10 +176,10 @@ fn the_tool_axis_is_compensated_away_from_the_pole() {
         let mut kinematics = Compensated::new(Interpreter::new(&plan), &tables);
         let (mut wanted, mut reached) = (PoseBlock::ZERO, PoseBlock::ZERO);
         let mut solutions = SolutionBlock::of(&kinematics);
-        kinematics.forward(&joints(&model, 0), model.tool.length_mm, &mut wanted);
-        kinematics.inverse(&wanted, &[], model.tool.length_mm, &mut solutions);
+        kinematics.forward(&joints(&model, 0), model.tool.geometry(), &mut wanted);
+        kinematics.inverse(&wanted, &[], model.tool.geometry(), &mut solutions);
         for candidate in &solutions.branches {
-            kinematics.forward(candidate, model.tool.length_mm, &mut reached);
+            kinematics.forward(candidate, model.tool.geometry(), &mut reached);
             for lane in (0..LANES).filter(|&lane| norm(cross(wanted.axis(lane), [0.0, 0.0, 1.0])) > 0.1) {
                 let axis = angle_rad(reached.axis(lane), wanted.axis(lane));
                 prop_assert!(axis <= AXIS_BOUND_RAD, "axis {axis:e} rad at {:?}", wanted.axis(lane));
@@ -221,7 +221,7 @@ fn location_errors_are_solved_in_closed_form() {
     assert!(proof.holds(&model) && model.errors.tables.is_empty() && model.errors.locations.len() == 11);
     let (tables, mut kinematics) = (tables::machine(&model), Interpreter::new(&plan));
     let (joints, mut poses) = (joints(&model, 3), PoseBlock::ZERO);
-    kinematics.forward(&joints, 0.0, &mut poses);
+    kinematics.forward(&joints, ToolGeometry::of_length(0.0), &mut poses);
     for lane in 0..LANES {
         let values: Vec<f64> = joints.iter().map(|joint| joint[lane]).collect();
         let (tip, axis) = pose(&model, &tables.axes, &values);
@@ -325,7 +325,7 @@ fn errors_do_not_hide_that_the_linear_axes_span_no_space() {
     let (mut wanted, mut solutions) = (PoseBlock::ZERO, SolutionBlock::of(&kinematics));
     // With the ram horizontal, Y and Z go along one line.
     (0..LANES).for_each(|lane| wanted.set(lane, [10.0, 20.0, 30.0], [[0.0, 1.0, 0.0], [0.0, 0.6, 0.8]][lane % 2]));
-    kinematics.inverse(&wanted, &[], 100.0, &mut solutions);
+    kinematics.inverse(&wanted, &[], ToolGeometry::of_length(100.0), &mut solutions);
     let tolerances = Tolerances { axis_rad: 1e-9, plane_mm: 0.0 };
     for (lane, outcome) in solutions.outcomes(tolerances).into_iter().enumerate() {
         assert_eq!(outcome, [Outcome::Missed(Miss::Singular), Outcome::Reached][lane % 2], "lane {lane}");

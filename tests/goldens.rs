@@ -135,7 +135,7 @@ fn the_joints_of_the_impeller_are_the_published_ones() {
     for ((row, point), published) in rows.iter().zip(&points).zip(&published) {
         let mut at_published_angles = *published;
         kinematics
-            .position(point.tip_mm, machine.model.tool.length_mm, &mut at_published_angles)
+            .position(point.tip_mm, machine.model.tool.geometry(), &mut at_published_angles)
             .expect("the tip is held");
         let found = [&at_published_angles[..3], &row[3..]].concat();
         for (axis, name) in NAMES.into_iter().enumerate() {

@@ -42,17 +42,17 @@ fn check(name: &str, Compiled { model, plan, .. }: &Compiled, row: &Row) {
 
     let axes = wanted.len();
     let mut placed: Vec<f64> = (0..axes).map(|axis| if rotary(axis) { wanted[axis] } else { f64::NAN }).collect();
-    machine.position(row.tip, model.tool.length_mm, &mut placed).expect("the tip is held");
+    machine.position(row.tip, model.tool.geometry(), &mut placed).expect("the tip is held");
     assert!((0..axes).all(|axis| close(placed[axis], wanted[axis])), "{name}: {placed:?} is not {wanted:?}");
 
     let mut pose = PoseBlock::ZERO;
     let block = wanted.iter().map(|joint| [*joint; LANES]).collect();
-    machine.forward(&block, model.tool.length_mm, &mut pose);
+    machine.forward(&block, model.tool.geometry(), &mut pose);
     assert!(norm(sub(pose.tip(0), row.tip)) <= BOUND, "{name}: {:?} is not {:?}", pose.tip(0), row.tip);
 
     let surplus: Vec<_> = machine.surplus_axes().iter().map(|&axis| [wanted[axis]; LANES]).collect();
     let mut solutions = SolutionBlock::of(&machine);
-    machine.inverse(&pose, &surplus, model.tool.length_mm, &mut solutions);
+    machine.inverse(&pose, &surplus, model.tool.geometry(), &mut solutions);
     let is_wanted = |candidate: &Vec<[f64; LANES]>| {
         let same = |axis| if rotary(axis) { same_angle } else { close }(candidate[axis][0], wanted[axis]);
         (0..axes).all(same)

@@ -42,13 +42,13 @@ struct Solved {
 
 /// The surplus joints are those of `joints`.
 fn solved(compiled: &Compiled, kinematics: &mut dyn Kinematics, wanted: &PoseBlock, joints: &JointBlock) -> Solved {
-    let length_mm = compiled.model.tool.length_mm;
+    let tool = compiled.model.tool.geometry();
     let mut block = SolutionBlock::of(kinematics);
     let surplus: Vec<Lane> = kinematics.surplus_axes().iter().map(|&axis| joints[axis]).collect();
-    kinematics.inverse(wanted, &surplus, length_mm, &mut block);
+    kinematics.inverse(wanted, &surplus, tool, &mut block);
     let (mut reached, mut tip_mm, mut axis_rad) = (PoseBlock::ZERO, 0.0_f64, 0.0_f64);
     for candidate in &block.branches {
-        Interpreter::new(&compiled.plan).forward(candidate, length_mm, &mut reached);
+        Interpreter::new(&compiled.plan).forward(candidate, tool, &mut reached);
         for lane in (0..LANES).filter(|&lane| !is_far(candidate, lane)) {
             tip_mm = tip_mm.max(norm(sub(reached.tip(lane), wanted.tip(lane))));
             axis_rad = axis_rad.max(angle_rad(reached.axis(lane), wanted.axis(lane)));
@@ -106,7 +106,7 @@ fn the_solutions_are_those_of_the_closed_form() {
             let mut numeric = Numeric::new(&compiled.plan, method);
             for block in 0..4 {
                 let (joints, mut wanted) = (joints(&compiled, block), PoseBlock::ZERO);
-                closed.forward(&joints, compiled.model.tool.length_mm, &mut wanted);
+                closed.forward(&joints, compiled.model.tool.geometry(), &mut wanted);
                 let expected = solved(&compiled, &mut closed, &wanted, &joints);
                 let found = solved(&compiled, &mut numeric, &wanted, &joints);
                 assert!(found.tip_mm <= TIP_BOUND_MM, "{name} {method:?}: {:e} mm", found.tip_mm);

@@ -1,6 +1,6 @@
 //! Between two points the tip stays within the bound that is stated, wherever it is looked at.
 
-use mach_runtime::machine::{Machine, Motion, Rule};
+use mach_runtime::machine::{Machine, Motion, Rule, ToolGeometry};
 use mach_runtime::segment::Segments;
 use mach_runtime::vector::{Vec3, add, dot, norm, scale, sub};
 use machc::emit::tables;
@@ -11,7 +11,7 @@ mod random;
 
 use random::{has_its_freedoms, machine, run, with_surplus};
 
-const TOOL_MM: f64 = 125.0;
+const TOOL: ToolGeometry = ToolGeometry::of_length(125.0);
 
 /// So many places of a block are looked at.
 const SAMPLES: u32 = 200;
@@ -42,7 +42,7 @@ fn distance_mm(point: Vec3, [start, end]: [Vec3; 2]) -> f64 {
 
 /// What is stated, and the most that is seen.
 fn stated_and_seen(machine: &Machine, from: &[f64], to: &[f64]) -> [f64; 2] {
-    let mut segments = Segments::new(&machine.chain, TOOL_MM);
+    let mut segments = Segments::new(&machine.chain, TOOL);
     segments.go_to(from);
     segments.go_to(to);
     let stated = segments.deviation_mm();
@@ -50,7 +50,7 @@ fn stated_and_seen(machine: &Machine, from: &[f64], to: &[f64]) -> [f64; 2] {
     assert!(segments.half_way_mm() <= stated, "half-way is on the way");
     let tip = |share: f64| {
         let joints: Vec<f64> = from.iter().zip(to).map(|(a, b)| a + share * (b - a)).collect();
-        machine.chain.pose(&joints, TOOL_MM).0
+        machine.chain.pose(&joints, TOOL).0
     };
     let line = [tip(0.0), tip(1.0)];
     let seen = (0..=SAMPLES).map(|n| distance_mm(tip(f64::from(n) / f64::from(SAMPLES)), line));

@@ -5,7 +5,7 @@ use std::io::Read;
 use clap::ValueEnum;
 use mach_runtime::cl::{Reader, ReaderOptions, quote};
 use mach_runtime::diagnostic::Diagnostic;
-use mach_runtime::machine::Machine;
+use mach_runtime::machine::{Machine, ToolGeometry};
 use mach_runtime::nc::dialect::LengthUnit;
 
 use crate::files::{open, reopened, shown};
@@ -32,9 +32,11 @@ enum Unit {
 
 impl Options {
     /// The machine with the tool that the options give.
-    pub fn equipped(&self, machine: Machine) -> Machine {
-        let tool_length_mm = self.tool_length.unwrap_or(machine.tool_length_mm);
-        Machine { tool_length_mm, ..machine }
+    pub fn equipped(&self, mut machine: Machine) -> Machine {
+        if let Some(length_mm) = self.tool_length {
+            machine.tools = vec![ToolGeometry::of_length(length_mm)];
+        }
+        machine
     }
 
     /// A reader of the CL file.

@@ -6,7 +6,7 @@
 
 use crate::error_table::ErrorTable;
 use crate::kinematics::{JointBlock, Kinematics, LANES, Lane, Miss, Pole, PoseBlock, SolutionBlock};
-use crate::machine::{Machine, Motion};
+use crate::machine::{Machine, Motion, ToolGeometry};
 use crate::vector::{Vec3, add, angle_rad, cross, dot, norm, scale, sub};
 
 /// Two poses closer than this are the same: half of what a machine is proved to.
@@ -63,18 +63,18 @@ impl<'m, K: Kinematics> Compensated<'m, K> {
         self.machine.errors.is_empty()
     }
 
-    fn actual(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {
+    fn actual(&mut self, joints: &JointBlock, tool: ToolGeometry, out: &mut PoseBlock) {
         let Self { inner, machine, deviations, .. } = self;
         for (lane, table) in deviations.iter_mut().zip(&machine.errors) {
             *lane = deviation(table, machine, &joints[table.axis]);
         }
-        inner.forward_actual(joints, deviations, tool_length_mm, out);
+        inner.forward_actual(joints, deviations, tool, out);
     }
 
-    fn stand(&mut self, joints: &JointBlock, tool_length_mm: f64) -> Stand {
+    fn stand(&mut self, joints: &JointBlock, tool: ToolGeometry) -> Stand {
         let mut stand = Stand { ideal: PoseBlock::ZERO, actual: PoseBlock::ZERO };
-        self.inner.forward(joints, tool_length_mm, &mut stand.ideal);
-        self.actual(joints, tool_length_mm, &mut stand.actual);
+        self.inner.forward(joints, tool, &mut stand.ideal);
+        self.actual(joints, tool, &mut stand.actual);
         stand
     }
 
@@ -85,7 +85,7 @@ impl<'m, K: Kinematics> Compensated<'m, K> {
         branch: usize,
         wanted: &PoseBlock,
         surplus: &[Lane],
-        tool_length_mm: f64,
+        tool: ToolGeometry,
         joints: &mut JointBlock,
     ) -> u64 {
         let without = joints.clone();
@@ -93,7 +93,7 @@ impl<'m, K: Kinematics> Compensated<'m, K> {
         let mut keeps_angles = [false; LANES];
         let mut corrections = 0;
         loop {
-            let stand = self.stand(joints, tool_length_mm);
+            let stand = self.stand(joints, tool);
             let next = stand.correct(wanted, &keeps_angles);
             let settled = (0..LANES).all(|lane| is_settled(&asked, &next, lane));
             if settled || corrections == MOST_CORRECTIONS {
@@ -102,12 +102,12 @@ impl<'m, K: Kinematics> Compensated<'m, K> {
             }
             asked = next;
             corrections += 1;
-            self.branch(branch, &asked, surplus, tool_length_mm, joints);
+            self.branch(branch, &asked, surplus, tool, joints);
             let newly = self.unsteady(&without, joints, wanted, &asked);
             if newly.contains(&true) {
                 (0..LANES).for_each(|lane| keeps_angles[lane] |= newly[lane]);
                 asked = stand.correct(wanted, &keeps_angles);
-                self.branch(branch, &asked, surplus, tool_length_mm, joints);
+                self.branch(branch, &asked, surplus, tool, joints);
             }
         }
     }
@@ -117,10 +117,10 @@ impl<'m, K: Kinematics> Compensated<'m, K> {
         branch: usize,
         asked: &PoseBlock,
         surplus: &[Lane],
-        tool_length_mm: f64,
+        tool: ToolGeometry,
         joints: &mut JointBlock,
     ) {
-        self.inner.inverse(asked, surplus, tool_length_mm, &mut self.solutions);
+        self.inner.inverse(asked, surplus, tool, &mut self.solutions);
         joints.clone_from(&self.solutions.branches[branch]);
     }
 
@@ -157,18 +157,18 @@ impl<K: Kinematics> Kinematics for Compensated<'_, K> {
         self.inner.surplus_axes()
     }
 
-    fn inverse(&mut self, poses: &PoseBlock, surplus: &[Lane], tool_length_mm: f64, out: &mut SolutionBlock) {
-        self.inner.inverse(poses, surplus, tool_length_mm, out);
+    fn inverse(&mut self, poses: &PoseBlock, surplus: &[Lane], tool: ToolGeometry, out: &mut SolutionBlock) {
+        self.inner.inverse(poses, surplus, tool, out);
         if !self.is_ideal() {
             let branches = out.branches.iter_mut().enumerate();
-            let settle = |(branch, joints)| self.settle(branch, poses, surplus, tool_length_mm, joints);
+            let settle = |(branch, joints)| self.settle(branch, poses, surplus, tool, joints);
             let unsettled = branches.map(settle).fold(0, |all, lanes| all | lanes);
             out.set_uncompensated(unsettled);
         }
     }
 
-    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) -> Result<(), Miss> {
-        self.inner.position(tip_mm, tool_length_mm, joints)?;
+    fn position(&mut self, tip_mm: Vec3, tool: ToolGeometry, joints: &mut [f64]) -> Result<(), Miss> {
+        self.inner.position(tip_mm, tool, joints)?;
         if self.is_ideal() {
             return Ok(());
         }
@@ -176,7 +176,7 @@ impl<K: Kinematics> Kinematics for Compensated<'_, K> {
         let mut corrections = 0;
         loop {
             let block = joints.iter().map(|joint| [*joint; LANES]).collect();
-            let stand = self.stand(&block, tool_length_mm);
+            let stand = self.stand(&block, tool);
             let next = add(tip_mm, sub(stand.ideal.tip(0), stand.actual.tip(0)));
             if norm(sub(next, asked)) <= SETTLED_MM || corrections == MOST_CORRECTIONS {
                 self.most_corrections = self.most_corrections.max(corrections);
@@ -184,20 +184,20 @@ impl<K: Kinematics> Kinematics for Compensated<'_, K> {
             }
             asked = next;
             corrections += 1;
-            self.inner.position(asked, tool_length_mm, joints)?;
+            self.inner.position(asked, tool, joints)?;
         }
     }
 
-    fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {
+    fn forward(&mut self, joints: &JointBlock, tool: ToolGeometry, out: &mut PoseBlock) {
         if self.is_ideal() {
-            self.inner.forward(joints, tool_length_mm, out);
+            self.inner.forward(joints, tool, out);
         } else {
-            self.actual(joints, tool_length_mm, out);
+            self.actual(joints, tool, out);
         }
     }
 
-    fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool_length_mm: f64, out: &mut PoseBlock) {
-        self.inner.forward_actual(joints, deviations, tool_length_mm, out);
+    fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool: ToolGeometry, out: &mut PoseBlock) {
+        self.inner.forward_actual(joints, deviations, tool, out);
     }
 }
 

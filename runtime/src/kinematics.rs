@@ -6,6 +6,7 @@ mod solution;
 pub use outcome::{Miss, Outcome, Pole, Tolerances};
 pub use solution::{Margins, SolutionBlock, held};
 
+use crate::machine::ToolGeometry;
 use crate::vector::Vec3;
 
 /// How many poses are solved at once.
@@ -71,7 +72,7 @@ pub fn candidate_lanes<const AXES: usize, const COUNT: usize>(
     branches.each_mut().map(|joints| joints.as_mut_slice().try_into().expect("a block has a lane for each axis"))
 }
 
-/// A machine's forward chain and its inverse. `tool_length_mm` is the gauge length.
+/// A machine's forward chain and its inverse.
 pub trait Kinematics {
     /// How many axes there are, in the order of [`crate::machine::Machine::axes`].
     fn axis_count(&self) -> usize;
@@ -89,7 +90,7 @@ pub trait Kinematics {
 
     /// Every candidate for each pose of the block. `surplus[s]` holds the values of axis `surplus_axes()[s]`, in
     /// millimetres or degrees; the candidates repeat them.
-    fn inverse(&mut self, poses: &PoseBlock, surplus: &[Lane], tool_length_mm: f64, out: &mut SolutionBlock);
+    fn inverse(&mut self, poses: &PoseBlock, surplus: &[Lane], tool: ToolGeometry, out: &mut SolutionBlock);
 
     /// The linear joints that put the tip on `tip_mm`, for the rotary joints and the surplus ones that are already in
     /// `joints`; one pose.
@@ -97,16 +98,16 @@ pub trait Kinematics {
     /// # Errors
     ///
     /// Why none do.
-    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) -> Result<(), Miss>;
+    fn position(&mut self, tip_mm: Vec3, tool: ToolGeometry, joints: &mut [f64]) -> Result<(), Miss>;
 
     /// The pose of each lane's joints.
-    fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock);
+    fn forward(&mut self, joints: &JointBlock, tool: ToolGeometry, out: &mut PoseBlock);
 
     /// The pose of each lane's joints with these errors of the axes: one lane for each of
     /// [`crate::machine::Machine::errors`], in millimetres or radians. Only a machine with such tables needs it.
-    fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool_length_mm: f64, out: &mut PoseBlock) {
+    fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool: ToolGeometry, out: &mut PoseBlock) {
         assert!(deviations.is_empty(), "a machine with error tables has a forward chain for them");
-        self.forward(joints, tool_length_mm, out);
+        self.forward(joints, tool, out);
     }
 }
 
@@ -127,19 +128,19 @@ impl<K: Kinematics + ?Sized> Kinematics for &mut K {
         (**self).surplus_axes()
     }
 
-    fn inverse(&mut self, poses: &PoseBlock, surplus: &[Lane], tool_length_mm: f64, out: &mut SolutionBlock) {
-        (**self).inverse(poses, surplus, tool_length_mm, out);
+    fn inverse(&mut self, poses: &PoseBlock, surplus: &[Lane], tool: ToolGeometry, out: &mut SolutionBlock) {
+        (**self).inverse(poses, surplus, tool, out);
     }
 
-    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) -> Result<(), Miss> {
-        (**self).position(tip_mm, tool_length_mm, joints)
+    fn position(&mut self, tip_mm: Vec3, tool: ToolGeometry, joints: &mut [f64]) -> Result<(), Miss> {
+        (**self).position(tip_mm, tool, joints)
     }
 
-    fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {
-        (**self).forward(joints, tool_length_mm, out);
+    fn forward(&mut self, joints: &JointBlock, tool: ToolGeometry, out: &mut PoseBlock) {
+        (**self).forward(joints, tool, out);
     }
 
-    fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool_length_mm: f64, out: &mut PoseBlock) {
-        (**self).forward_actual(joints, deviations, tool_length_mm, out);
+    fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool: ToolGeometry, out: &mut PoseBlock) {
+        (**self).forward_actual(joints, deviations, tool, out);
     }
 }

@@ -1,8 +1,10 @@
 //! What a post knows of its machine, apart from its inverse: axes, travel, written range, policies, the chain.
 
 mod chain;
+mod tool;
 
 pub use chain::{Chain, Joint};
+pub use tool::ToolGeometry;
 
 use crate::error_table::ErrorTable;
 
@@ -182,8 +184,18 @@ pub struct Machine {
     pub unknown_records: Strictness,
     /// The program zero in the machine frame with every axis at zero, in millimetres.
     pub zero_mm: [f64; 3],
-    /// The tool's gauge length, in millimetres: what the control's length compensation takes into account.
-    pub tool_length_mm: f64,
+    /// The tools that it may have in its spindle; one at least.
+    pub tools: Vec<ToolGeometry>,
     /// The errors that depend on where an axis is; the kinematics' inputs are in this order.
     pub errors: Vec<ErrorTable>,
+}
+
+impl Machine {
+    /// The tool in the spindle: the first one.
+    ///
+    /// # Panics
+    /// When the machine has none.
+    pub fn tool(&self) -> ToolGeometry {
+        *self.tools.first().expect("a machine has a tool")
+    }
 }

@@ -5,7 +5,7 @@
 //! point of that line is farther from the block's own than its ends are. The bound comes from the tool outwards: a linear joint
 //! adds to the first derivative, a rotary one turns what is on its tool side about an axis at a known distance.
 
-use crate::machine::{Chain, Motion};
+use crate::machine::{Chain, Motion, ToolGeometry};
 use crate::vector::{Vec3, cross, dot, norm, scale, sub};
 
 /// Between the moments that are looked at, the tip may leave its line by this share of what was seen, or by
@@ -21,7 +21,7 @@ const MOST_MOMENTS: f64 = 512.0;
 #[derive(Debug)]
 pub struct Segments<'m> {
     chain: &'m Chain,
-    tool_length_mm: f64,
+    tool: ToolGeometry,
     from: Station,
     to: Station,
 }
@@ -44,16 +44,16 @@ struct Bounds {
 
 impl<'m> Segments<'m> {
     /// At the start of a program: every axis at zero.
-    pub fn new(chain: &'m Chain, tool_length_mm: f64) -> Self {
+    pub fn new(chain: &'m Chain, tool: ToolGeometry) -> Self {
         let joints = chain.joints.len();
         let home = Station { joints: vec![0.0; joints], radii_mm: vec![0.0; joints] };
-        Self { chain, tool_length_mm, from: home.clone(), to: home }
+        Self { chain, tool, from: home.clone(), to: home }
     }
 
     /// The next block begins where the last one ended, and ends here: machine coordinates in millimetres and degrees.
     pub fn go_to(&mut self, joints: &[f64]) {
         std::mem::swap(&mut self.from, &mut self.to);
-        self.to.set(joints, self.chain, self.tool_length_mm);
+        self.to.set(joints, self.chain, self.tool);
     }
 
     /// A quick bound on [`Self::deviation_mm`].
@@ -90,7 +90,7 @@ impl<'m> Segments<'m> {
     }
 
     fn tip(&self, joints: &[f64]) -> Vec3 {
-        self.chain.pose(joints, self.tool_length_mm).0
+        self.chain.pose(joints, self.tool).0
     }
 
     fn bounds(&self) -> Bounds {
@@ -119,9 +119,9 @@ impl Bounds {
 
 impl Station {
     /// The distances from the tool outwards; the outermost rotary need not be turned for its own.
-    fn set(&mut self, joints: &[f64], chain: &Chain, tool_length_mm: f64) {
+    fn set(&mut self, joints: &[f64], chain: &Chain, tool: ToolGeometry) {
         self.joints.copy_from_slice(joints);
-        let mut pose = (chain.tip_at_home(tool_length_mm), chain.tool_axis);
+        let mut pose = (chain.tip_at_home(tool), chain.tool_axis);
         let outermost = chain.joints.iter().position(|joint| joint.motion == Motion::Rotary);
         for (index, joint) in chain.joints.iter().enumerate().rev() {
             if joint.motion == Motion::Rotary {

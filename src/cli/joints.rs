@@ -117,7 +117,7 @@ fn number(name: &str, value: &Value) -> Result<f64, String> {
 fn pose(machine: &Machine, kinematics: &mut dyn Kinematics, values: &[f64], line: u64) -> Pose {
     let joints = values.iter().map(|value| [*value; LANES]).collect();
     let mut poses = PoseBlock::ZERO;
-    kinematics.forward(&joints, machine.tool_length_mm, &mut poses);
+    kinematics.forward(&joints, machine.tool(), &mut poses);
     let unsigned_zero = |vector: [f64; 3]| vector.map(|component| component + 0.0);
     Pose { line, tip_mm: unsigned_zero(sub(poses.tip(0), machine.zero_mm)), axis: unsigned_zero(poses.axis(0)) }
 }

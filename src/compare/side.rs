@@ -120,13 +120,13 @@ impl<'a> Walker<'a> {
     /// Where words (from the program zero, by axis) take the tool in the workpiece, lane by lane: tips in millimetres
     /// from the program zero, and unit axes. A lane without words is undefined.
     pub(super) fn poses(&mut self, words: &[Option<Vec<f64>>]) -> impl Fn(usize) -> (Vec3, Vec3) + use<'_, 'a> {
-        let length_mm = self.machine.tool_length_mm;
+        let tool = self.machine.tool();
         for (lane, words) in words.iter().enumerate().filter_map(|(lane, words)| Some((lane, words.as_ref()?))) {
             for ((joint, axis), word) in self.joints.iter_mut().zip(&self.words).zip(words) {
-                joint[lane] = axis.joint(*word, length_mm);
+                joint[lane] = axis.joint(*word, tool.length_mm);
             }
         }
-        self.forward.forward(&self.joints, length_mm, &mut self.poses);
+        self.forward.forward(&self.joints, tool, &mut self.poses);
         |lane| (sub(self.poses.tip(lane), self.machine.zero_mm), self.poses.axis(lane))
     }
 }
@@ -143,7 +143,7 @@ fn reach(machine: &Machine, words: &[AxisWord], solved: &Solved<'_>) -> Result<R
     };
     let joints = &solved.candidates[index].joints;
     let printed = words.iter().zip(joints).enumerate().map(|(axis, (word, joint))| {
-        let units = word.units(*joint, machine.tool_length_mm);
+        let units = word.units(*joint, machine.tool().length_mm);
         units.map(|units| word.value(units)).ok_or_else(|| Refusal::Word(named(axis)))
     });
     Ok(Reached { index, candidates: solved.candidates.to_vec(), words: printed.collect::<Result<_, _>>()? })

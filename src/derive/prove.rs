@@ -5,7 +5,7 @@ use crate::model::machine::{Axis, Model};
 use crate::plan::{Interpreter, Plan};
 use mach_runtime::diagnostic::{Code, Diagnostic};
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, PoseBlock, SolutionBlock};
-use mach_runtime::machine::{Motion, Rule};
+use mach_runtime::machine::{Motion, Rule, ToolGeometry};
 use mach_runtime::vector::{angle_rad, norm, sub};
 
 /// E0601.
@@ -68,7 +68,7 @@ pub fn prove(model: &Model, plan: &Plan) -> Proof {
             (_, Motion::Linear) => random.lane(500.0),
         };
         let joints: JointBlock = model.axes.iter().map(joint).collect();
-        close(&mut machine, &joints, model.tool.length_mm, &mut proof);
+        close(&mut machine, &joints, model.tool.geometry(), &mut proof);
     }
     proof
 }
@@ -87,14 +87,14 @@ pub fn check(model: &Model, proof: &Proof) -> Option<Diagnostic> {
 }
 
 /// Forward, inverse, and forward again.
-fn close(machine: &mut Interpreter, joints: &JointBlock, tool_length_mm: f64, proof: &mut Proof) {
+fn close(machine: &mut Interpreter, joints: &JointBlock, tool: ToolGeometry, proof: &mut Proof) {
     let (mut wanted, mut reached) = (PoseBlock::ZERO, PoseBlock::ZERO);
-    machine.forward(joints, tool_length_mm, &mut wanted);
+    machine.forward(joints, tool, &mut wanted);
     let surplus: Vec<Lane> = machine.surplus_axes().iter().map(|&axis| joints[axis]).collect();
     let mut solutions = SolutionBlock::of(machine);
-    machine.inverse(&wanted, &surplus, tool_length_mm, &mut solutions);
+    machine.inverse(&wanted, &surplus, tool, &mut solutions);
     for candidate in &solutions.branches {
-        machine.forward(candidate, tool_length_mm, &mut reached);
+        machine.forward(candidate, tool, &mut reached);
         for lane in 0..LANES {
             let (tip, axis) =
                 (norm(sub(reached.tip(lane), wanted.tip(lane))), angle_rad(reached.axis(lane), wanted.axis(lane)));

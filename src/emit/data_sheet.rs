@@ -121,7 +121,7 @@ fn polar(model: &Model, plan: &Plan, rotary: &Rotary) -> Vec<String> {
     let mut machine = Interpreter::new(plan);
     let mut solutions = SolutionBlock::of(&machine);
     let surplus = vec![[0.0; LANES]; machine.surplus_axes().len()];
-    machine.inverse(&poses, &surplus, model.tool.length_mm, &mut solutions);
+    machine.inverse(&poses, &surplus, model.tool.geometry(), &mut solutions);
     let tolerances = Tolerances { axis_rad: model.axis_tolerance_rad, plane_mm: 0.0 };
     let dead_mm = match solutions.outcome(0, tolerances) {
         Outcome::Missed(Miss::InsideDeadRadius { gap_mm, .. }) => (gap_mm * 1e9).round() / 1e9,

@@ -29,7 +29,7 @@ pub fn machine(model: &Model) -> Machine {
         chord_tolerance_mm: model.chord_tolerance_mm,
         unknown_records: model.unknown_records,
         zero_mm: model.zero_mm.into(),
-        tool_length_mm: model.tool.length_mm,
+        tools: vec![model.tool.geometry()],
         errors: model.errors.tables.clone(),
     }
 }

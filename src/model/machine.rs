@@ -2,7 +2,7 @@
 //! once, the axes that the pose decides can be solved for, and the dialect prints every axis.
 
 use super::errors::Errors;
-use mach_runtime::machine::{BranchPolicy, Motion, Rule, Strictness, Travel, Written};
+use mach_runtime::machine::{BranchPolicy, Motion, Rule, Strictness, ToolGeometry, Travel, Written};
 use mach_runtime::nc::dialect::Dialect;
 use nalgebra::Vector3;
 
@@ -87,4 +87,11 @@ pub struct Tool {
     pub gauge_mm: Vector3<f64>,
     /// From the gauge point to the tip, against `axis`.
     pub length_mm: f64,
+}
+
+impl Tool {
+    /// As the kinematics sees it.
+    pub fn geometry(&self) -> ToolGeometry {
+        ToolGeometry::of_length(self.length_mm)
+    }
 }

@@ -8,7 +8,7 @@ use mach_runtime::cl::event::Point;
 use mach_runtime::cl::{Next, Reader};
 use mach_runtime::compensation::Compensated;
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, Miss, Pole, PoseBlock, SolutionBlock};
-use mach_runtime::machine::Machine;
+use mach_runtime::machine::{Machine, ToolGeometry};
 use mach_runtime::path::PathSolver;
 use mach_runtime::vector::{Vec3, add, angle_rad, norm, sub};
 use std::io::{self, Read};
@@ -121,7 +121,7 @@ impl<'a> Run<'a> {
             }
             None => found.failures += 1,
         });
-        self.forward.forward(joints, machine.tool_length_mm, &mut self.poses);
+        self.forward.forward(joints, machine.tool(), &mut self.poses);
         for (lane, point) in points.iter().enumerate().filter(|(lane, _)| reached[*lane]) {
             let tip = add(point.tip_mm, machine.zero_mm);
             found.tip_mm.meet(norm(sub(self.poses.tip(lane), tip)), point.line);
@@ -166,23 +166,23 @@ impl Kinematics for Timed<'_> {
         self.inverse.kinematics().surplus_axes()
     }
 
-    fn inverse(&mut self, poses: &PoseBlock, surplus: &[Lane], tool_length_mm: f64, out: &mut SolutionBlock) {
+    fn inverse(&mut self, poses: &PoseBlock, surplus: &[Lane], tool: ToolGeometry, out: &mut SolutionBlock) {
         let start = (self.clock)();
-        self.inverse.kinematics_mut().inverse(poses, surplus, tool_length_mm, out);
+        self.inverse.kinematics_mut().inverse(poses, surplus, tool, out);
         let taken = (self.clock)() - start;
         self.time = if self.blocks < 2 { taken } else { self.time + taken };
         self.blocks += 1;
     }
 
-    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) -> Result<(), Miss> {
-        self.inverse.kinematics_mut().position(tip_mm, tool_length_mm, joints)
+    fn position(&mut self, tip_mm: Vec3, tool: ToolGeometry, joints: &mut [f64]) -> Result<(), Miss> {
+        self.inverse.kinematics_mut().position(tip_mm, tool, joints)
     }
 
-    fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {
-        self.inverse.kinematics_mut().forward(joints, tool_length_mm, out);
+    fn forward(&mut self, joints: &JointBlock, tool: ToolGeometry, out: &mut PoseBlock) {
+        self.inverse.kinematics_mut().forward(joints, tool, out);
     }
 
-    fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool_length_mm: f64, out: &mut PoseBlock) {
-        self.inverse.kinematics_mut().forward_actual(joints, deviations, tool_length_mm, out);
+    fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool: ToolGeometry, out: &mut PoseBlock) {
+        self.inverse.kinematics_mut().forward_actual(joints, deviations, tool, out);
     }
 }

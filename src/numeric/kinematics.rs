@@ -6,6 +6,7 @@ use super::workspace::Workspace;
 use super::{Effort, Method, seeds};
 use crate::plan::{Interpreter, JOINT_INPUT, Plan, Program};
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, Miss, Pole, PoseBlock, SolutionBlock, held};
+use mach_runtime::machine::ToolGeometry;
 use mach_runtime::vector::Vec3;
 use std::f64::consts::PI;
 
@@ -142,7 +143,7 @@ impl Numeric {
     }
 
     fn pole_distance(&mut self, target: &Target) -> f64 {
-        let inputs = target.tip_mm.into_iter().chain(target.axis).chain([target.tool_length_mm]);
+        let inputs = target.tip_mm.into_iter().chain(target.axis).chain([target.tool.length_mm]);
         inputs.enumerate().for_each(|(index, value)| self.pole_distance.input(index)[0] = value);
         self.pole_distance.run();
         self.pole_distance.output(0)[0]
@@ -181,10 +182,10 @@ impl Kinematics for Numeric {
         self.chain.surplus_axes()
     }
 
-    fn inverse(&mut self, poses: &PoseBlock, surplus: &[Lane], tool_length_mm: f64, out: &mut SolutionBlock) {
-        self.workspace.forward.tool_length_mm = tool_length_mm;
+    fn inverse(&mut self, poses: &PoseBlock, surplus: &[Lane], tool: ToolGeometry, out: &mut SolutionBlock) {
+        self.workspace.forward.tool = tool;
         for lane in 0..LANES {
-            let target = Target { tip_mm: poses.tip(lane), axis: poses.axis(lane), tool_length_mm };
+            let target = Target { tip_mm: poses.tip(lane), axis: poses.axis(lane), tool };
             let is_known = |last: &mut Followed| last.target == target && surplus.is_empty();
             let known = self.last.take_if(is_known);
             self.put_surplus(surplus, lane);
@@ -202,9 +203,9 @@ impl Kinematics for Numeric {
         }
     }
 
-    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) -> Result<(), Miss> {
-        self.workspace.forward.tool_length_mm = tool_length_mm;
-        let target = Target { tip_mm, axis: [0.0; 3], tool_length_mm };
+    fn position(&mut self, tip_mm: Vec3, tool: ToolGeometry, joints: &mut [f64]) -> Result<(), Miss> {
+        self.workspace.forward.tool = tool;
+        let target = Target { tip_mm, axis: [0.0; 3], tool };
         let follows = |axis: usize| !self.rotary[axis] && !self.chain.surplus_axes().contains(&axis);
         let given = |(axis, joint): (usize, &f64)| if follows(axis) { 0.0 } else { self.inside(axis, *joint) };
         let mut scaled: Vec<f64> = joints.iter().enumerate().map(given).collect();
@@ -215,12 +216,12 @@ impl Kinematics for Numeric {
         held(joints)
     }
 
-    fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {
-        self.chain.forward(joints, tool_length_mm, out);
+    fn forward(&mut self, joints: &JointBlock, tool: ToolGeometry, out: &mut PoseBlock) {
+        self.chain.forward(joints, tool, out);
     }
 
-    fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool_length_mm: f64, out: &mut PoseBlock) {
-        self.chain.forward_actual(joints, deviations, tool_length_mm, out);
+    fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool: ToolGeometry, out: &mut PoseBlock) {
+        self.chain.forward_actual(joints, deviations, tool, out);
     }
 }
 

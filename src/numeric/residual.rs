@@ -6,6 +6,7 @@
 
 use crate::derive::prove::{AXIS_BOUND_RAD, TIP_BOUND_MM};
 use crate::plan::Pose;
+use mach_runtime::machine::ToolGeometry;
 use mach_runtime::vector::{Vec3, angle_rad, norm, sub};
 
 /// A length that weighs as much as a radian: the ratio of the proof's two bounds, one metre.
@@ -20,8 +21,8 @@ pub(super) const BOUND: f64 = AXIS_BOUND_RAD / 10.0;
 pub(super) struct Target {
     pub(super) tip_mm: Vec3,
     pub(super) axis: Vec3,
-    /// The tool's gauge length.
-    pub(super) tool_length_mm: f64,
+    /// The tool.
+    pub(super) tool: ToolGeometry,
 }
 
 impl Target {

@@ -4,6 +4,7 @@ use super::{AXIS_INPUT, Id, JOINT_INPUT, Plan, Program, TIP_INPUT, TOOL_LENGTH_I
 use mach_runtime::kinematics::{
     JointBlock, Kinematics, LANES, Lane, Margins, Miss, Pole, PoseBlock, SolutionBlock, held,
 };
+use mach_runtime::machine::ToolGeometry;
 use mach_runtime::vector::Vec3;
 
 /// Runs a plan.
@@ -57,13 +58,13 @@ impl Kinematics for Interpreter {
         &self.surplus
     }
 
-    fn inverse(&mut self, poses: &PoseBlock, surplus: &[Lane], tool_length_mm: f64, out: &mut SolutionBlock) {
+    fn inverse(&mut self, poses: &PoseBlock, surplus: &[Lane], tool: ToolGeometry, out: &mut SolutionBlock) {
         assert_eq!(surplus.len(), self.surplus.len(), "an inverse is given a value for each surplus axis");
         for i in 0..3 {
             *self.inverse.input(TIP_INPUT + i) = poses.tip_mm[i];
             *self.inverse.input(AXIS_INPUT + i) = poses.axis[i];
         }
-        *self.inverse.input(TOOL_LENGTH_INPUT) = [tool_length_mm; LANES];
+        *self.inverse.input(TOOL_LENGTH_INPUT) = [tool.length_mm; LANES];
         for (&axis, lane) in self.surplus.iter().zip(surplus) {
             *self.inverse.input(JOINT_INPUT + axis) = inside(lane, self.rotary[axis]);
         }
@@ -82,11 +83,11 @@ impl Kinematics for Interpreter {
         *out.parts_mut().1 = Margins { reach_rad: margin(0), pole: margin(1), gap_mm: margin(2) };
     }
 
-    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) -> Result<(), Miss> {
+    fn position(&mut self, tip_mm: Vec3, tool: ToolGeometry, joints: &mut [f64]) -> Result<(), Miss> {
         for (i, &value) in tip_mm.iter().enumerate() {
             self.position.input(TIP_INPUT + i)[0] = value;
         }
-        self.position.input(TOOL_LENGTH_INPUT)[0] = tool_length_mm;
+        self.position.input(TOOL_LENGTH_INPUT)[0] = tool.length_mm;
         for (axis, value) in joints.iter().enumerate() {
             self.position.input(JOINT_INPUT + axis)[0] = if self.rotary[axis] { value.to_radians() } else { *value };
         }
@@ -98,24 +99,24 @@ impl Kinematics for Interpreter {
         held(joints)
     }
 
-    fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {
-        pose(&mut self.forward, &self.rotary, joints, tool_length_mm, out);
+    fn forward(&mut self, joints: &JointBlock, tool: ToolGeometry, out: &mut PoseBlock) {
+        pose(&mut self.forward, &self.rotary, joints, tool, out);
     }
 
-    fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool_length_mm: f64, out: &mut PoseBlock) {
+    fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool: ToolGeometry, out: &mut PoseBlock) {
         for (error, lane) in deviations.iter().enumerate() {
             *self.actual.input(JOINT_INPUT + self.rotary.len() + error) = *lane;
         }
-        pose(&mut self.actual, &self.rotary, joints, tool_length_mm, out);
+        pose(&mut self.actual, &self.rotary, joints, tool, out);
     }
 }
 
 /// Runs a forward program.
-fn pose(program: &mut Program, rotary: &[bool], joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {
+fn pose(program: &mut Program, rotary: &[bool], joints: &JointBlock, tool: ToolGeometry, out: &mut PoseBlock) {
     for (axis, lane) in joints.iter().enumerate() {
         *program.input(JOINT_INPUT + axis) = inside(lane, rotary[axis]);
     }
-    *program.input(TOOL_LENGTH_INPUT) = [tool_length_mm; LANES];
+    *program.input(TOOL_LENGTH_INPUT) = [tool.length_mm; LANES];
     program.run();
     for i in 0..3 {
         out.tip_mm[i] = *program.output(i);

@@ -1,6 +1,7 @@
 //! The forward chain and its derivatives by the joints, for one set of joints at a time.
 
 use super::{Id, JOINT_INPUT, Plan, Program, TOOL_LENGTH_INPUT};
+use mach_runtime::machine::ToolGeometry;
 
 /// Tip x, y, z in millimetres and unit tool axis i, j, k; or how they change, per unit of a joint.
 pub type Pose = [f64; 6];
@@ -30,15 +31,15 @@ impl Jacobian {
     }
 
     /// The pose of these joints.
-    pub fn pose(&mut self, joints: &[f64], tool_length_mm: f64) -> Pose {
-        run(&mut self.pose, joints, tool_length_mm);
+    pub fn pose(&mut self, joints: &[f64], tool: ToolGeometry) -> Pose {
+        run(&mut self.pose, joints, tool);
         outputs(&self.pose, 0)
     }
 
     /// The pose of these joints, and its derivatives: one column for each joint.
-    pub fn derivatives(&mut self, joints: &[f64], tool_length_mm: f64, columns: &mut [Pose]) -> Pose {
+    pub fn derivatives(&mut self, joints: &[f64], tool: ToolGeometry, columns: &mut [Pose]) -> Pose {
         assert_eq!(columns.len(), self.axes, "a Jacobian has a column for each joint");
-        run(&mut self.derivatives, joints, tool_length_mm);
+        run(&mut self.derivatives, joints, tool);
         for (joint, column) in columns.iter_mut().enumerate() {
             *column = outputs(&self.derivatives, 6 * (joint + 1));
         }
@@ -46,8 +47,8 @@ impl Jacobian {
     }
 }
 
-fn run(program: &mut Program<1>, joints: &[f64], tool_length_mm: f64) {
-    program.input(TOOL_LENGTH_INPUT)[0] = tool_length_mm;
+fn run(program: &mut Program<1>, joints: &[f64], tool: ToolGeometry) {
+    program.input(TOOL_LENGTH_INPUT)[0] = tool.length_mm;
     for (joint, &value) in joints.iter().enumerate() {
         program.input(JOINT_INPUT + joint)[0] = value;
     }

@@ -58,10 +58,10 @@ pub(crate) fn close_the_loop(
     let mut reached = PoseBlock::ZERO;
     let given = |axis: &usize| asked.map_or([0.0; LANES], |asked| asked[*axis]);
     let surplus: Vec<_> = machine.surplus_axes().iter().map(given).collect();
-    machine.inverse(wanted, &surplus, model.tool.length_mm, &mut solutions);
+    machine.inverse(wanted, &surplus, model.tool.geometry(), &mut solutions);
     let mut found = [asked.is_none(); LANES];
     for candidate in &solutions.branches {
-        machine.forward(candidate, model.tool.length_mm, &mut reached);
+        machine.forward(candidate, model.tool.geometry(), &mut reached);
         for lane in (0..LANES).filter(|&lane| !far(model, candidate, lane)) {
             let outcome = solutions.outcome(lane, TOLERANCES);
             // The other candidate may be singular where this one is not.
@@ -87,7 +87,7 @@ pub(crate) fn close_blocks(model: &Model, plan: &Plan, blocks: usize) -> Result<
     let mut machine = Interpreter::new(plan);
     (0..blocks).try_for_each(|block| {
         let (joints, mut wanted) = (joints(model, block), PoseBlock::ZERO);
-        machine.forward(&joints, model.tool.length_mm, &mut wanted);
+        machine.forward(&joints, model.tool.geometry(), &mut wanted);
         close_the_loop(model, plan, &wanted, Some(&joints))
     })
 }

@@ -1,14 +1,14 @@
 //! What a machine is asked for: poses it reaches, poses at its poles, and directions out of its reach.
 
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, PoseBlock};
-use mach_runtime::machine::Motion;
+use mach_runtime::machine::{Motion, ToolGeometry};
 use machc::compile::Compiled;
 use machc::derive::family;
 use machc::plan::Interpreter;
 
 /// One block of questions.
 pub(crate) struct Block {
-    pub(crate) tool_length_mm: f64,
+    pub(crate) tool: ToolGeometry,
     pub(crate) poses: PoseBlock,
     pub(crate) joints: JointBlock,
 }
@@ -24,7 +24,7 @@ fn spread(place: usize, count: usize) -> f64 {
 /// Joints all over the machine, and poses of both kinds.
 pub(crate) fn blocks(compiled: &Compiled) -> Vec<Block> {
     let mut blocks = Vec::new();
-    for (number, tool_length_mm) in LENGTHS_MM.into_iter().enumerate() {
+    for (number, tool) in LENGTHS_MM.map(ToolGeometry::of_length).into_iter().enumerate() {
         let joint = |axis: usize, motion: Motion| {
             let bound = if motion == Motion::Rotary { 180.0 } else { 500.0 };
             std::array::from_fn(|lane| bound * spread(axis, number * LANES + lane))
@@ -32,9 +32,9 @@ pub(crate) fn blocks(compiled: &Compiled) -> Vec<Block> {
         let joints: JointBlock =
             compiled.model.axes.iter().enumerate().map(|(place, axis)| joint(place, axis.motion)).collect();
         let mut reached = PoseBlock::ZERO;
-        Interpreter::new(&compiled.plan).forward(&joints, tool_length_mm, &mut reached);
-        blocks.push(Block { tool_length_mm, poses: reached, joints: joints.clone() });
-        blocks.push(Block { tool_length_mm, poses: anywhere(compiled, number), joints });
+        Interpreter::new(&compiled.plan).forward(&joints, tool, &mut reached);
+        blocks.push(Block { tool, poses: reached, joints: joints.clone() });
+        blocks.push(Block { tool, poses: anywhere(compiled, number), joints });
     }
     blocks
 }

@@ -95,17 +95,17 @@ fn require(name: &str, answer: &[f64], wanted: &[f64]) {
 fn conversation(compiled: &Compiled) -> (String, Vec<Vec<f64>>) {
     let (mut lines, mut wanted) = (String::new(), Vec::new());
     let mut interpreter = Interpreter::new(&compiled.plan);
-    for Block { tool_length_mm, joints, .. } in blocks(compiled) {
+    for Block { tool, joints, .. } in blocks(compiled) {
         let mut poses = PoseBlock::ZERO;
-        interpreter.forward(&joints, tool_length_mm, &mut poses);
-        writeln!(lines, "L {tool_length_mm}").expect("strings can be written");
+        interpreter.forward(&joints, tool, &mut poses);
+        writeln!(lines, "L {}", tool.length_mm).expect("strings can be written");
         for lane in 0..LANES {
             let joints: Vec<f64> = joints.iter().map(|joint| joint[lane]).collect();
-            let world = world(compiled, poses.tip(lane), tool_length_mm);
+            let world = world(compiled, poses.tip(lane), tool.length_mm);
             lines += &forward_line(&joints);
             wanted.push([&world[..], &copied(compiled, &joints)].concat());
             let mut placed = joints.clone();
-            interpreter.position(poses.tip(lane), tool_length_mm, &mut placed).expect("the tip is held");
+            interpreter.position(poses.tip(lane), tool, &mut placed).expect("the tip is held");
             lines += &inverse_line(compiled, world, &joints);
             wanted.push(placed);
         }

@@ -3,6 +3,7 @@
 use crate::blocks::{Block, blocks};
 use crate::{library, machine};
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, PoseBlock, SolutionBlock};
+use mach_runtime::machine::ToolGeometry;
 use machc::compile::Compiled;
 use machc::emit::{rust::rust, tables};
 use machc::plan::Interpreter;
@@ -123,8 +124,8 @@ fn run(program: &Path, arguments: &[&str], input: &[u8]) -> Vec<u8> {
 
 fn bytes(blocks: &[Block]) -> Vec<u8> {
     let mut numbers = Vec::new();
-    for Block { tool_length_mm, poses, joints } in blocks {
-        numbers.push(*tool_length_mm);
+    for Block { tool, poses, joints } in blocks {
+        numbers.push(tool.length_mm);
         poses.tip_mm.iter().chain(&poses.axis).chain(joints).for_each(|lane| numbers.extend(lane));
     }
     numbers.into_iter().flat_map(f64::to_le_bytes).collect()
@@ -143,8 +144,8 @@ fn generated_rust_computes_the_bits_of_the_interpreter() {
         let name = &machine.model.name;
         let (blocks, mut expected) = (blocks(machine), Vec::new());
         let mut interpreter = Interpreter::new(&machine.plan);
-        for Block { tool_length_mm, poses, joints } in &blocks {
-            answer(&mut interpreter, *tool_length_mm, poses, joints, &mut expected);
+        for Block { tool, poses, joints } in &blocks {
+            answer(&mut interpreter, *tool, poses, joints, &mut expected);
         }
         let found = run(&program, &["solve", name], &bytes(&blocks));
         let found: Vec<f64> =

@@ -13,7 +13,10 @@ pub(crate) mod tmv710a;
 use crate::GAUGE_LENGTH_MM;
 use crate::poses::Pose;
 use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock, SolutionBlock};
+use mach_runtime::machine::ToolGeometry;
 use std::hint::black_box;
+
+const TOOL: ToolGeometry = ToolGeometry::of_length(GAUGE_LENGTH_MM);
 
 /// How far a checked solution may be from its pose: what the peer allows itself, a millionth of the machine's size (here
 /// of a metre) and of a radian.
@@ -39,7 +42,7 @@ impl<K: Kinematics> Machine<K> {
     /// Solves every pose; how many solutions there are.
     pub(crate) fn solve(&mut self) -> usize {
         for block in &self.blocks {
-            self.solver.inverse(block, &[], GAUGE_LENGTH_MM, &mut self.solutions);
+            self.solver.inverse(block, &[], TOOL, &mut self.solutions);
             black_box(&self.solutions);
         }
         self.blocks.len() * LANES * self.solutions.branches.len()
@@ -49,9 +52,9 @@ impl<K: Kinematics> Machine<K> {
     pub(crate) fn solve_and_check(&mut self) -> usize {
         let mut right = 0;
         for block in &self.blocks {
-            self.solver.inverse(block, &[], GAUGE_LENGTH_MM, &mut self.solutions);
+            self.solver.inverse(block, &[], TOOL, &mut self.solutions);
             for joints in &self.solutions.branches {
-                self.solver.forward(joints, GAUGE_LENGTH_MM, &mut self.back);
+                self.solver.forward(joints, TOOL, &mut self.back);
                 right += (0..LANES).filter(|&lane| same(block, &self.back, lane)).count();
             }
         }

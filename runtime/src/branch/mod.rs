@@ -151,7 +151,7 @@ impl<'m> Chooser<'m> {
         let mut outcome = Ok(());
         for candidate in &mut self.candidates {
             candidate.joints[free] = value;
-            outcome = outcome.and(kinematics.position(tip_mm, self.machine.tool_length_mm, &mut candidate.joints));
+            outcome = outcome.and(kinematics.position(tip_mm, self.machine.tool(), &mut candidate.joints));
             candidate.settle_within_travel(&self.rules, &self.previous);
         }
         outcome

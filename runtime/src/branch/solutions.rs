@@ -22,7 +22,7 @@ impl Solutions {
 
     /// Solves for each pose, with these values of the surplus axes.
     pub fn solve(&mut self, poses: &PoseBlock, surplus: &[Lane], machine: &Machine, kinematics: &mut dyn Kinematics) {
-        kinematics.inverse(poses, surplus, machine.tool_length_mm, &mut self.block);
+        kinematics.inverse(poses, surplus, machine.tool(), &mut self.block);
         let tolerances = Tolerances { axis_rad: machine.axis_tolerance_rad, plane_mm: machine.plane_tolerance_mm };
         self.outcomes = self.block.outcomes(tolerances);
         for (beyond, branch) in self.beyond.iter_mut().zip(&self.block.branches) {

@@ -3,7 +3,7 @@
 //! Where the tool is in the workpiece is the product of the joints' motions: each moves what is on the tool's side of it along
 //! or about its own line, and the lines are where they are with every axis at zero.
 
-use super::Motion;
+use super::{Motion, ToolGeometry};
 use crate::vector::{Vec3, add, cross, dot, scale, sub};
 
 /// The joints of a machine, and its tool.
@@ -35,15 +35,15 @@ pub struct Joint {
 }
 
 impl Chain {
-    /// The tip with every axis at zero, in millimetres, for a gauge length in millimetres.
-    pub fn tip_at_home(&self, tool_length_mm: f64) -> Vec3 {
-        sub(self.gauge_mm, scale(tool_length_mm, self.tool_axis))
+    /// The tip with every axis at zero, in millimetres.
+    pub fn tip_at_home(&self, tool: ToolGeometry) -> Vec3 {
+        sub(self.gauge_mm, scale(tool.length_mm, self.tool_axis))
     }
 
     /// Tip (in millimetres) and unit tool axis for joint values in millimetres and degrees, in the order of the machine's
     /// axes: the machine as it is without errors that depend on positions.
-    pub fn pose(&self, joints: &[f64], tool_length_mm: f64) -> (Vec3, Vec3) {
-        let home = (self.tip_at_home(tool_length_mm), self.tool_axis);
+    pub fn pose(&self, joints: &[f64], tool: ToolGeometry) -> (Vec3, Vec3) {
+        let home = (self.tip_at_home(tool), self.tool_axis);
         self.joints.iter().rev().fold(home, |pose, joint| joint.moved(joint.signed(joints[joint.axis]), pose))
     }
 }

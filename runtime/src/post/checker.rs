@@ -33,9 +33,9 @@ impl<'a, K: Kinematics> Checker<'a, K> {
             job,
             kinematics: Compensated::new(kinematics, job.machine),
             nc,
-            readback: ReadBack::new(job.dialect, axes, job.machine.tool_length_mm),
+            readback: ReadBack::new(job.dialect, axes, job.machine.tool().length_mm),
             certificate: Certificate::new(axes),
-            segments: Segments::new(&job.machine.chain, job.machine.tool_length_mm),
+            segments: Segments::new(&job.machine.chain, job.machine.tool()),
             joints: vec![[0.0; LANES]; axes.len()],
             poses: PoseBlock::ZERO,
             wanted: PoseBlock::ZERO,
@@ -103,7 +103,7 @@ impl<'a, K: Kinematics> Checker<'a, K> {
     /// Compares where the text takes the tool with where the CL wants it.
     fn compare(&mut self, printed: &[PrintedPoint], points: &[Point]) {
         let Self { job: Job { machine, .. }, kinematics, certificate, joints, poses, wanted, .. } = self;
-        kinematics.forward(joints, machine.tool_length_mm, poses);
+        kinematics.forward(joints, machine.tool(), poses);
         for (lane, printed) in printed.iter().enumerate() {
             let Point { tip_mm, axis, .. } = points[printed.point];
             wanted.set(lane, add(tip_mm, machine.zero_mm), axis);

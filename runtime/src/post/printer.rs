@@ -102,7 +102,7 @@ impl<'a> Printer<'a> {
     fn points(&mut self, block: Range<usize>, stretch: &mut Stretch) {
         let mut diagnostics = Vec::new();
         let Self { job, path, writer, .. } = self;
-        let length_mm = job.machine.tool_length_mm;
+        let length_mm = job.machine.tool().length_mm;
         let Stretch { points, text, printed, joints, .. } = stretch;
         path.solve(&points[block.clone()], &mut |solved| match solved.chosen() {
             Some(chosen) => {

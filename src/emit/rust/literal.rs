@@ -3,7 +3,7 @@
 use mach_runtime::error_table::{Component, ErrorTable};
 use mach_runtime::kinematics::Pole;
 use mach_runtime::machine::{
-    Axis, BranchPolicy, Chain, Joint, Machine, Motion, Preference, Rule, Strictness, Travel, Written,
+    Axis, BranchPolicy, Chain, Joint, Machine, Motion, Preference, Rule, Strictness, ToolGeometry, Travel, Written,
 };
 use mach_runtime::nc::dialect::{
     Block, Codes, Dialect, LengthUnit, Line, Picture, Piece, Point, Sequence, Trigger, Value, Word,
@@ -68,10 +68,11 @@ macro_rules! plain {
 structs! {
     Machine {
         name, axes, chain, branch, axis_tolerance_rad, plane_tolerance_mm, chord_tolerance_mm, unknown_records, zero_mm,
-        tool_length_mm, errors,
+        tools, errors,
     }
     Axis { name, motion, travel, rule, written, zero, length_share, rapid_per_min }
     Chain { joints, bed, tool_axis, gauge_mm }
+    ToolGeometry { length_mm }
     Joint { axis, motion, direction, point_mm, primed }
     Travel { lower, upper }
     ErrorTable { axis, component, rows }

@@ -76,11 +76,11 @@ impl Kinematics for Solver {{
 
     fn pole(&self) -> Option<Pole> {{ {pole} }}
 
-{surplus_axes}    fn inverse(&mut self, poses: &PoseBlock, {surplus_lanes}: &[Lane], tool_length_mm: f64, out: &mut SolutionBlock) {{
+{surplus_axes}    fn inverse(&mut self, poses: &PoseBlock, {surplus_lanes}: &[Lane], tool: ToolGeometry, out: &mut SolutionBlock) {{
         let (candidates, margins) = out.parts_mut();
         let mut candidates = candidate_lanes::<{axes}, {branches}>(candidates);
         for lane in 0..LANES {{
-            let found = inverse(poses.tip(lane), poses.axis(lane), tool_length_mm{surplus_joints});
+            let found = inverse(poses.tip(lane), poses.axis(lane), tool.length_mm{surplus_joints});
             for (lanes, joints) in candidates.iter_mut().zip(found.joints) {{
                 for (lanes, joint) in lanes.iter_mut().zip(joints) {{
                     lanes[lane] = joint;
@@ -92,15 +92,15 @@ impl Kinematics for Solver {{
         }}
     }}
 
-    fn position(&mut self, tip_mm: Vec3, tool_length_mm: f64, joints: &mut [f64]) -> Result<(), Miss> {{
-        [{solved}] = position(tip_mm, tool_length_mm, [{given}]);
+    fn position(&mut self, tip_mm: Vec3, tool: ToolGeometry, joints: &mut [f64]) -> Result<(), Miss> {{
+        [{solved}] = position(tip_mm, tool.length_mm, [{given}]);
         held(joints)
     }}
 
-    fn forward(&mut self, joints: &JointBlock, tool_length_mm: f64, out: &mut PoseBlock) {{
+    fn forward(&mut self, joints: &JointBlock, tool: ToolGeometry, out: &mut PoseBlock) {{
         let joints = joint_lanes(joints);
         for lane in 0..LANES {{
-            let (tip, axis) = forward(joints.each_ref().map(|joint| joint[lane]), tool_length_mm);
+            let (tip, axis) = forward(joints.each_ref().map(|joint| joint[lane]), tool.length_mm);
             out.set(lane, tip, axis);
         }}
     }}
@@ -137,12 +137,12 @@ fn surplus_copies(surplus: &[usize]) -> String {
 
 /// The method of a machine with error tables.
 const FORWARD_ACTUAL: &str = "
-    fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool_length_mm: f64, out: &mut PoseBlock) {
+    fn forward_actual(&mut self, joints: &JointBlock, deviations: &[Lane], tool: ToolGeometry, out: &mut PoseBlock) {
         let joints = joint_lanes(joints);
         for lane in 0..LANES {
             let joints = joints.each_ref().map(|joint| joint[lane]);
             let deviations = std::array::from_fn(|error| deviations[error][lane]);
-            let (tip, axis) = forward_actual(joints, tool_length_mm, deviations);
+            let (tip, axis) = forward_actual(joints, tool.length_mm, deviations);
             out.set(lane, tip, axis);
         }
     }

@@ -33,13 +33,13 @@ impl Kinematics for Solver {
         &mut self,
         poses: &PoseBlock,
         _: &[Lane],
-        tool_length_mm: f64,
+        tool: ToolGeometry,
         out: &mut SolutionBlock,
     ) {
         let (candidates, margins) = out.parts_mut();
         let mut candidates = candidate_lanes::<5, 2>(candidates);
         for lane in 0..LANES {
-            let found = inverse(poses.tip(lane), poses.axis(lane), tool_length_mm);
+            let found = inverse(poses.tip(lane), poses.axis(lane), tool.length_mm);
             for (lanes, joints) in candidates.iter_mut().zip(found.joints) {
                 for (lanes, joint) in lanes.iter_mut().zip(joints) {
                     lanes[lane] = joint;
@@ -54,28 +54,23 @@ impl Kinematics for Solver {
     fn position(
         &mut self,
         tip_mm: Vec3,
-        tool_length_mm: f64,
+        tool: ToolGeometry,
         joints: &mut [f64],
     ) -> Result<(), Miss> {
         [joints[0], joints[1], joints[2]] = position(
             tip_mm,
-            tool_length_mm,
+            tool.length_mm,
             [joints[3], joints[4]],
         );
         held(joints)
     }
 
-    fn forward(
-        &mut self,
-        joints: &JointBlock,
-        tool_length_mm: f64,
-        out: &mut PoseBlock,
-    ) {
+    fn forward(&mut self, joints: &JointBlock, tool: ToolGeometry, out: &mut PoseBlock) {
         let joints = joint_lanes(joints);
         for lane in 0..LANES {
             let (tip, axis) = forward(
                 joints.each_ref().map(|joint| joint[lane]),
-                tool_length_mm,
+                tool.length_mm,
             );
             out.set(lane, tip, axis);
         }
@@ -347,7 +342,7 @@ pub fn machine() -> Machine {
         chord_tolerance_mm: 0.01,
         unknown_records: Strictness::Error,
         zero_mm: [0.0, 0.0, 0.0],
-        tool_length_mm: 0.0,
+        tools: Vec::from([ToolGeometry { length_mm: 0.0 }]),
         errors: Vec::new(),
     }
 }
