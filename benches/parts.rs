@@ -17,7 +17,7 @@ mod tmv710a;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use mach_runtime::cl::{Next, Reader, ReaderOptions};
-use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock, SolutionBlock};
+use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock, Rate, SolutionBlock, rates};
 use mach_runtime::machine::ToolGeometry;
 use mach_runtime::post::{Job, post};
 use mach_runtime::segment::Segments;
@@ -113,6 +113,14 @@ fn forward(bencher: Bencher<'_, '_>, name: &str) {
     let joints = vec![std::array::from_fn(|lane| lane as f64); interpreter.axis_count()];
     let mut poses = PoseBlock::ZERO;
     bencher.counter(ItemsCount::new(LANES)).bench_local(|| interpreter.forward(&joints, TOOL, &mut poses));
+}
+
+#[divan::bench(args = MACHINES)]
+fn rates_of_axes(bencher: Bencher<'_, '_>, name: &str) {
+    let chain = tables::machine(&machine(name).model).chain;
+    let joints = vec![std::array::from_fn(|lane| lane as f64); chain.joints.len()];
+    let mut found = vec![Rate::ZERO; chain.joints.len()];
+    bencher.counter(ItemsCount::new(LANES)).bench_local(|| rates(&chain, &joints, TOOL, &mut found));
 }
 
 #[divan::bench(args = MACHINES)]

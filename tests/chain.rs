@@ -1,8 +1,9 @@
-//! The chain among the runtime's tables says what was derived of the same machine file: where joints take the tool.
+//! The chain among the runtime's tables says what was derived of the same machine file: where joints take the tool, and how it
+//! moves with each of them.
 
-use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock};
+use mach_runtime::kinematics::{Kinematics, LANES, Lane, PoseBlock, Rate, rates};
 use mach_runtime::machine::{Axis, Machine, Motion, Rule, ToolGeometry};
-use mach_runtime::vector::{angle_rad, norm, sub};
+use mach_runtime::vector::{Vec3, angle_rad, norm, scale, sub};
 use machc::derive::derive;
 use machc::emit::tables;
 use machc::model::machine::Model;
@@ -33,17 +34,47 @@ fn joints(machine: &Machine) -> Vec<[f64; LANES]> {
     machine.axes.iter().zip(STEPS).map(joint).collect()
 }
 
-/// The chain's poses and the plan's.
+/// The chain's poses and the plan's, the chain's rates and those of differences.
 fn compare(model: &Model) -> Result<(), String> {
-    let (machine, plan) = (tables::machine(model), derive(model));
-    let (joints, mut expected) = (joints(&machine), PoseBlock::ZERO);
-    Interpreter::new(&plan).forward(&joints, TOOL, &mut expected);
+    let machine = tables::machine(model);
+    compare_poses(model, &machine)?;
+    compare_rates(&machine)
+}
+
+fn compare_poses(model: &Model, machine: &Machine) -> Result<(), String> {
+    let (joints, mut expected) = (joints(machine), PoseBlock::ZERO);
+    Interpreter::new(&derive(model)).forward(&joints, TOOL, &mut expected);
     for lane in 0..LANES {
         let values: Vec<f64> = joints.iter().map(|joint| joint[lane]).collect();
         let (tip, axis) = machine.chain.pose(&values, TOOL);
         let (tip_mm, off_rad) = (norm(sub(tip, expected.tip(lane))), angle_rad(axis, expected.axis(lane)));
         if tip_mm > TIP_BOUND_MM || off_rad > AXIS_BOUND_RAD {
             return Err(format!("{}: {tip_mm:e} mm, {off_rad:e} rad", machine.name));
+        }
+    }
+    Ok(())
+}
+
+/// Differences over steps of a thousandth keep nine digits.
+fn compare_rates(machine: &Machine) -> Result<(), String> {
+    const STEP: f64 = 1e-3;
+    let (joints, mut found) = (joints(machine), vec![Rate::ZERO; machine.axes.len()]);
+    rates(&machine.chain, &joints, TOOL, &mut found);
+    for lane in 0..LANES {
+        for (axis, rate) in found.iter().enumerate() {
+            let moved = |by: f64| {
+                let mut values: Vec<f64> = joints.iter().map(|joint| joint[lane]).collect();
+                values[axis] += by;
+                machine.chain.pose(&values, TOOL)
+            };
+            let (above, below) = (moved(STEP), moved(-STEP));
+            let difference = |a: Vec3, b: Vec3| scale(1.0 / (2.0 * STEP), sub(a, b));
+            let at = |rates: &[Lane; 3]| rates.map(|rate| rate[lane]);
+            let tip = norm(sub(at(&rate.tip), difference(above.0, below.0)));
+            let tilt = norm(sub(at(&rate.axis), difference(above.1, below.1)));
+            if tip > 1e-8 || tilt > 1e-11 {
+                return Err(format!("{}, axis {axis}: tip off by {tip:e}, tool axis by {tilt:e}", machine.name));
+            }
         }
     }
     Ok(())

@@ -1,9 +1,11 @@
 //! The machine's kinematics as the runtime sees it: blocks of poses in, blocks of candidates out, and back.
 
 mod outcome;
+mod rates;
 mod solution;
 
 pub use outcome::{Miss, Outcome, Pole, Tolerances};
+pub use rates::{Rate, rates};
 pub use solution::{Margins, SolutionBlock, held};
 
 use crate::machine::ToolGeometry;

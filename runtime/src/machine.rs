@@ -3,6 +3,7 @@
 mod chain;
 mod tool;
 
+pub(crate) use chain::turned;
 pub use chain::{Chain, Joint};
 pub use tool::ToolGeometry;
 

@@ -68,7 +68,7 @@ impl Joint {
 }
 
 /// A vector turned about a direction by an angle with this sine and cosine.
-fn turned(n: Vec3, (sine, cosine): (f64, f64), v: Vec3) -> Vec3 {
+pub(crate) fn turned(n: Vec3, (sine, cosine): (f64, f64), v: Vec3) -> Vec3 {
     let along = scale(dot(n, v), n);
     add(along, add(scale(cosine, sub(v, along)), scale(sine, cross(n, v))))
 }
