@@ -44,27 +44,33 @@ impl Rate {
 pub fn rates(chain: &Chain, joints: &JointBlock, tool: ToolGeometry, out: &mut [Rate]) {
     assert_eq!(out.len(), chain.joints.len(), "there is a rate for each axis");
     let mut lines = vec![([0.0; 3], [0.0; 3]); chain.joints.len()];
-    for lane in 0..LANES {
-        let mut frame = Frame::MACHINE;
-        for (joint, line) in chain.joints.iter().zip(&mut lines) {
-            let value = joint.signed(joints[joint.axis][lane]);
-            *line = (frame.direction(joint.direction), frame.point(joint.point_mm));
-            frame = match joint.motion {
-                Motion::Linear => frame.shifted(scale(value, line.0)),
-                Motion::Rotary => frame.turned(*line, libm::sincos(value.to_radians())),
-            };
-        }
-        let (tip, axis) = (frame.point(chain.tip_at_home(tool)), frame.direction(chain.tool_axis));
+    (0..LANES).for_each(|lane| {
+        let (tip, axis) = follow(chain, |axis| joints[axis][lane], tool, &mut lines);
         for (joint, &(direction, point_mm)) in chain.joints.iter().zip(&lines) {
+            let rate = &mut out[joint.axis];
             match joint.motion {
-                Motion::Linear => out[joint.axis].set(lane, scale(joint.signed(1.0), direction), [0.0; 3]),
+                Motion::Linear => rate.set(lane, scale(joint.signed(1.0), direction), [0.0; 3]),
                 Motion::Rotary => {
                     let turn = scale(joint.signed(1.0_f64.to_radians()), direction);
-                    out[joint.axis].set(lane, cross(turn, sub(tip, point_mm)), cross(turn, axis));
+                    rate.set(lane, cross(turn, sub(tip, point_mm)), cross(turn, axis));
                 }
             }
         }
+    });
+}
+
+/// Where the line of each joint is, as direction and point; then tip and tool axis.
+fn follow(chain: &Chain, value: impl Fn(usize) -> f64, tool: ToolGeometry, lines: &mut [(Vec3, Vec3)]) -> (Vec3, Vec3) {
+    let mut frame = Frame::MACHINE;
+    for (joint, line) in chain.joints.iter().zip(lines) {
+        let value = joint.signed(value(joint.axis));
+        *line = (frame.direction(joint.direction), frame.point(joint.point_mm));
+        frame = match joint.motion {
+            Motion::Linear => frame.shifted(scale(value, line.0)),
+            Motion::Rotary => frame.turned(*line, libm::sincos(value.to_radians())),
+        };
     }
+    (frame.point(chain.tip_at_home(tool)), frame.direction(chain.tool_axis))
 }
 
 impl Frame {
