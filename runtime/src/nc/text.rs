@@ -1,12 +1,13 @@
 //! Text from the CL on its way into the program: nothing in it may end a comment, a string or the program.
 
-/// Prints text for a comment or a message. Characters of the comment's own delimiters, quotes, `%` (the end of a
-/// tape), `;` (the end of a block) and control characters become blanks, runs of blanks one blank; what is not ASCII
-/// becomes `?`.
+/// Prints text for a comment or a message. Characters of the comment's own delimiters, parentheses and quotes (a line may put
+/// the text between those), `%` (the end of a tape), `;` (the end of a block) and control characters become blanks, runs of
+/// blanks one blank; what is not ASCII becomes `?`.
 pub fn print_comment(text: &str, delimiters: (&str, &str), out: &mut Vec<u8>) {
     let start = out.len();
     for c in text.chars() {
-        let unsafe_here = matches!(c, '"' | '%' | ';') || delimiters.0.contains(c) || delimiters.1.contains(c);
+        let unsafe_here =
+            matches!(c, '(' | ')' | '"' | '%' | ';') || delimiters.0.contains(c) || delimiters.1.contains(c);
         match c {
             _ if !c.is_ascii() => out.push(b'?'),
             _ if unsafe_here || c.is_ascii_control() || c == ' ' => {
@@ -45,7 +46,8 @@ mod tests {
     #[test]
     fn nothing_leaves_a_comment() {
         assert_eq!(comment("DRILL (6.8) 50%\r\nM30", ("(", ")")), "DRILL 6.8 50 M30");
-        assert_eq!(comment("a;b \"c\" (d)", (";", "")), "a b c (d)");
+        assert_eq!(comment("a;b \"c\" (d)", (";", "")), "a b c d");
+        assert_eq!(comment("A) G0 X999 Z-50 (B", (";", "")), "A G0 X999 Z-50 B");
         assert_eq!(comment("Fräser Ø6", ("(", ")")), "Fr?ser ?6");
         assert_eq!(comment(" ( ) ", ("(", ")")), "");
     }

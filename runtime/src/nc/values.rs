@@ -31,6 +31,18 @@ pub struct Values<'a> {
 const SECONDS: Picture = Picture { decimals: 3, point: Point::Needed, ..Picture::WHOLE };
 
 impl Values<'_> {
+    /// The name, the usual picture and the number of a placeholder that is one.
+    fn number(&self, value: Value) -> Option<(&'static str, Picture, f64)> {
+        Some(match value {
+            Value::Tool => ("tool", Picture::WHOLE, self.tool as f64),
+            Value::Register => ("register", Picture::WHOLE, self.register as f64),
+            Value::Speed => ("speed", Picture::WHOLE, self.speed_rpm),
+            Value::Seconds => ("seconds", SECONDS, self.dwell_s),
+            Value::Milliseconds => ("milliseconds", Picture::WHOLE, self.dwell_s * 1000.0),
+            _ => return None,
+        })
+    }
+
     /// Prints what a placeholder stands for.
     pub(super) fn print(
         &self,
@@ -40,13 +52,10 @@ impl Values<'_> {
         out: &mut Vec<u8>,
     ) -> Result<(), WriteError> {
         let delimiters = (dialect.comment.0.as_str(), dialect.comment.1.as_str());
-        let mut number = |name, plain: &Picture, number| print_number(name, number, picture.unwrap_or(plain), out);
+        if let Some((name, plain, number)) = self.number(value) {
+            return print_number(name, number, picture.unwrap_or(&plain), out);
+        }
         match value {
-            Value::Tool => return number("tool", &Picture::WHOLE, self.tool as f64),
-            Value::Register => return number("register", &Picture::WHOLE, self.register as f64),
-            Value::Speed => return number("speed", &Picture::WHOLE, self.speed_rpm),
-            Value::Seconds => return number("seconds", &SECONDS, self.dwell_s),
-            Value::Milliseconds => return number("milliseconds", &Picture::WHOLE, self.dwell_s * 1000.0),
             Value::Program if print_program_name(self.program, out) => {}
             Value::Program => return Err(WriteError::NoProgramName),
             Value::Machine => print_comment(self.machine, delimiters, out),
@@ -56,16 +65,20 @@ impl Values<'_> {
             Value::Offset => out.extend_from_slice(dialect.offset.as_bytes()),
             Value::Units => out.extend_from_slice(dialect.codes.units.as_bytes()),
             Value::FeedMode | Value::Retract => {} // the writer knows the state and the axes
+            Value::Tool | Value::Register | Value::Speed | Value::Seconds | Value::Milliseconds => {} // numbers
         }
         Ok(())
     }
 }
 
-fn print_number(name: &str, value: f64, picture: &Picture, out: &mut Vec<u8>) -> Result<(), WriteError> {
+fn print_number(name: &'static str, value: f64, picture: &Picture, out: &mut Vec<u8>) -> Result<(), WriteError> {
     let units = picture.units(value).ok_or_else(|| {
         let word = Word { name: name.into(), address: String::new(), picture: picture.clone() };
         WriteError::too_large(&word, value)
     })?;
+    if units == 0 && value != 0.0 {
+        return Err(WriteError::Zero { name, value });
+    }
     picture.print(units, out);
     Ok(())
 }

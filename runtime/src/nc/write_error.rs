@@ -23,6 +23,13 @@ pub enum WriteError {
         /// The feed rate, in the word's unit.
         value: f64,
     },
+    /// A speed or a time that is not zero, and would be once it is rounded.
+    Zero {
+        /// The placeholder.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
     /// The program's name has no letter or digit.
     NoProgramName,
     /// A feed a revolution, and the controller has no code for it.
@@ -30,7 +37,7 @@ pub enum WriteError {
 }
 
 /// Every kind of it.
-pub static CODES: [&Code; 5] = [&NO_BLOCK, &TOO_LARGE, &NO_FEED, &NO_PROGRAM_NAME, &NO_FEED_PER_REVOLUTION];
+pub static CODES: [&Code; 6] = [&NO_BLOCK, &TOO_LARGE, &NO_FEED, &NO_PROGRAM_NAME, &NO_FEED_PER_REVOLUTION, &ZERO];
 
 static NO_BLOCK: Code = Code {
     id: "E1160",
@@ -95,6 +102,18 @@ minute only. If the control has one, name it:
 If not, choose feed rates a minute in the CAM system.",
 };
 
+static ZERO: Code = Code {
+    id: "E1165",
+    title: "a speed or a time is zero once it is rounded",
+    explanation: "\
+`SPINDL/RPM,0.3` would be written as `S0`: the spindle stands, and the cut goes on. The speed may be in another unit, or come
+of a division by a diameter of zero. A dwell of less than half of the last digit of its word would be none.
+
+Mend the CL, or give the placeholder a picture with more decimals:
+
+    on spindle clockwise { \"S{speed:####0[.##]} M3\" }",
+};
+
 impl WriteError {
     /// A number that has too many digits for its word.
     #[cold]
@@ -109,6 +128,7 @@ impl WriteError {
             Self::NoBlock(_) => &NO_BLOCK,
             Self::TooLarge { .. } => &TOO_LARGE,
             Self::NoFeed { .. } => &NO_FEED,
+            Self::Zero { .. } => &ZERO,
             Self::NoProgramName => &NO_PROGRAM_NAME,
             Self::NoFeedPerRevolution => &NO_FEED_PER_REVOLUTION,
         }
@@ -129,6 +149,7 @@ impl fmt::Display for WriteError {
                 write!(f, "{word} would be {value:.4}, and its word takes numbers below {limit}")
             }
             Self::NoFeed { value } => write!(f, "the feed rate {value} is zero once it is rounded"),
+            Self::Zero { name, value } => write!(f, "the value {value} of `{{{name}}}` is zero once it is rounded"),
             Self::NoProgramName => write!(f, "no letter or digit is in the program's name"),
             Self::NoFeedPerRevolution => write!(f, "the controller has no code for a feed per revolution"),
         }
