@@ -104,7 +104,9 @@ fn the_joints_of_the_sine_surface_are_the_published_ones() {
 fn the_words_of_the_sine_surface_are_those_of_nx() {
     let machine = machine::compiled("machines/tmv710a.mach", &machine::Files);
     let posted = program::posted(&machine, SINE);
-    assert_eq!(posted.diagnostics, []);
+    // Its steps are long for a table that turns; nothing else is to be said.
+    let codes: Vec<&str> = posted.diagnostics.iter().map(|diagnostic| diagnostic.code.id).collect();
+    assert_eq!(codes, ["W1110"]);
     let nc = String::from_utf8(posted.nc).expect("ASCII");
     let rows = printed(&nc);
     assert!(rows.iter().all(|row| (0.0..360.0).contains(&row[4])), "C is written in [0, 360)");

@@ -116,7 +116,7 @@ fn siemens_in_millimetres() {
 N10 G54
 N20 G17 G710 G40 G90 G94
 N30 G64
-; ROUGH (1)
+; ROUGH 1
 N40 M9
 N50 M5
 N60 G0 SUPA Z60 D0
