@@ -141,12 +141,12 @@ pub struct Between {
     pub feed_mm: Extreme,
     /// In rapid traverse, if the axes move linearly there too.
     pub rapid_mm: Extreme,
-    /// How many blocks at feed leave their line by more than the machine's chord tolerance.
+    /// How many blocks at feed may leave their line by more than the machine's chord tolerance, by the quick bound.
     pub beyond_tolerance: u64,
 }
 
 impl Between {
-    /// A block from one point to the next. Only what may be the worst, or beyond the tolerance, is looked at closely.
+    /// A block from one point to the next. Only what may be the worst is looked at closely.
     #[inline]
     pub(crate) fn meet(&mut self, segments: &Segments<'_>, is_cut: bool, line: u64, tolerance_mm: f64) {
         let quick_mm = segments.quick_bound_mm();
@@ -154,8 +154,7 @@ impl Between {
         if worst.line == 0 || quick_mm > worst.value {
             worst.meet(segments.deviation_mm(), line);
         }
-        let is_beyond = || segments.half_way_mm() > tolerance_mm || segments.deviation_mm() > tolerance_mm;
-        self.beyond_tolerance += u64::from(is_cut && quick_mm > tolerance_mm && is_beyond());
+        self.beyond_tolerance += u64::from(is_cut && quick_mm > tolerance_mm);
     }
 }
 

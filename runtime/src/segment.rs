@@ -61,11 +61,6 @@ impl<'m> Segments<'m> {
         self.bounds().second / 8.0
     }
 
-    /// How far the tip is from the straight line between the ends half-way, in millimetres: it goes that far at least.
-    pub fn half_way_mm(&self) -> f64 {
-        self.off_the_line(0.5, &self.line())
-    }
-
     /// The tip is nowhere in the block farther than this from the straight line between its ends, in millimetres.
     pub fn deviation_mm(&self) -> f64 {
         let line = self.line();

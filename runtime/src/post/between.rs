@@ -12,7 +12,7 @@ pub static OFF_THE_LINE: Code = Code {
 The program gives axis values at the points of the CL, and between them the control moves every axis evenly. Where a rotary
 axis turns, the tip then goes on a curve, not on the straight line from point to point; near a pole, or where the machine
 changes to its other solution, far from it. The certificate states how far at most, as a bound that is proved and not
-sampled; this warning counts the blocks of cuts in which it is more than the machine's chord tolerance.
+sampled; this warning counts the blocks of cuts in which it may be more than the machine's chord tolerance.
 
 No points are put in. Ask the CAM system for shorter steps where the tool turns, or, if that much does no harm, say so:
 
