@@ -19,12 +19,10 @@ use divan::counter::ItemsCount;
 use mach_runtime::cl::{Next, Reader, ReaderOptions};
 use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock, Rate, SolutionBlock, rates};
 use mach_runtime::machine::ToolGeometry;
-use mach_runtime::post::{Job, post};
 use mach_runtime::segment::Segments;
 use machc::compile::{Compiled, Sources, compile};
 use machc::emit::tables;
 use machc::plan::Interpreter;
-use std::num::NonZeroUsize;
 
 const MACHINES: [&str; 4] = ["tmv710a", "dmu50ev", "dmu80_monoblock", "endura900"];
 const TOOL: ToolGeometry = ToolGeometry::of_length(150.0);
@@ -152,15 +150,8 @@ fn read_cl(bencher: Bencher<'_, '_>) {
 fn post_with_certificate(bencher: Bencher<'_, '_>) {
     let text = sine_cl::records(RECORDS);
     let compiled = machine("tmv710a");
-    let tables = machine_tables();
-    let dialect = compiled.model.dialect.as_ref().expect("the machine has a controller");
-    bencher.counter(ItemsCount::new(RECORDS)).bench_local(|| {
-        let reader = Reader::new("sine.cls", text.as_bytes(), ReaderOptions::of(&tables));
-        let job = Job { file: "sine.cls", program: "SINE", machine: &tables, dialect };
-        let interpreter = Interpreter::new(&compiled.plan);
-        let mut nc = Vec::new();
-        post(job, &interpreter, reader, &mut nc, NonZeroUsize::MIN, &mut |_| {}).expect("memory can be written")
-    });
+    let rig = compiled.rig().expect("the machine has a controller");
+    bencher.counter(ItemsCount::new(RECORDS)).bench_local(|| rig.post_text("sine.cls", text.as_bytes()));
 }
 
 fn machine_tables() -> mach_runtime::machine::Machine {

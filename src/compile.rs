@@ -26,6 +26,13 @@ pub trait Sources {
     fn read(&self, path: &str) -> Result<String, String>;
 }
 
+/// Any function that knows the texts.
+impl<F: Fn(&str) -> Result<String, String>> Sources for F {
+    fn read(&self, path: &str) -> Result<String, String> {
+        self(path)
+    }
+}
+
 /// What compiling a machine gives.
 #[derive(Debug)]
 pub struct Compiled {

@@ -235,7 +235,7 @@ fn programs_are_the_same_byte_for_byte() {
             let expected = posted(&compiled, cl);
             for method in METHODS {
                 let found = posted_by(&Numeric::new(&compiled.plan, method), &compiled, cl);
-                let codes = |posted: &program::Posted| -> Vec<&str> {
+                let codes = |posted: &mach_runtime::rig::Posted| -> Vec<&str> {
                     posted.diagnostics.iter().map(|diagnostic| diagnostic.code.id).collect()
                 };
                 assert_eq!(codes(&found), codes(&expected), "{name} {cl} {method:?}");

@@ -4,7 +4,6 @@
 //! `machc test` compares the same. `machc review` accepts, and so does `cargo insta review`. Read what you accept.
 
 use machc::compile::Sources;
-use machc::emit::tables;
 use machc::snapshot::content::{Program, content};
 use std::collections::BTreeSet;
 use std::fs;
@@ -31,9 +30,7 @@ fn locked(machine: &str, program: &str) -> String {
     content(&Program {
         machine_file: &machine_file,
         machine_text: &machine::Files.read(&machine_file).expect("readable"),
-        machine: &tables::machine(&compiled.model),
-        plan: &compiled.plan,
-        dialect: compiled.model.dialect.as_ref().expect("a machine with a controller"),
+        rig: &compiled.rig().expect("a machine with a controller"),
         cl_file: &cl_file,
         cl: &fs::read(machine::root().join(&cl_file)).expect("readable"),
     })

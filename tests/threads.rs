@@ -1,5 +1,6 @@
 //! What comes out of a post does not depend on the number of threads.
 
+use mach_runtime::rig::Posted;
 use machc::compile::Compiled;
 use machc::plan::Interpreter;
 use std::fs;
@@ -24,7 +25,7 @@ fn cl_files(folder: &str) -> impl Iterator<Item = (String, Vec<u8>)> {
     })
 }
 
-fn post(compiled: &Compiled, name: &str, cl: &[u8], threads: usize) -> program::Posted {
+fn post(compiled: &Compiled, name: &str, cl: &[u8], threads: usize) -> Posted {
     let threads = NonZeroUsize::new(threads).expect("some threads");
     program::posted_text(&Interpreter::new(&compiled.plan), compiled, name, cl, threads)
 }

@@ -4,9 +4,7 @@ use std::num::NonZeroUsize;
 use std::thread::available_parallelism;
 
 use mach_runtime::kinematics::Kinematics;
-use mach_runtime::machine::Machine;
-use mach_runtime::nc::dialect::Dialect;
-use mach_runtime::post::Job;
+use mach_runtime::rig::Rig;
 
 use crate::files::{cannot_read, shown, stem};
 use crate::outcome::{Failure, Status};
@@ -38,29 +36,26 @@ pub struct PostOptions {
 ///
 /// A file that cannot be read or written.
 pub fn post<K: Kinematics + Clone + Send>(
-    machine: Machine,
-    dialect: &Dialect,
-    kinematics: &K,
+    mut rig: Rig<K>,
     options: &PostOptions,
     report: &Report,
 ) -> Result<Status, Failure> {
     let PostOptions { cl, output, threads, program, toolpath } = options;
-    let machine = toolpath.equipped(machine);
-    let reader = toolpath.reader(cl, &machine, report)?;
-    let program = program.as_deref().or(stem(cl)).unwrap_or(&machine.name);
-    let job = Job { file: shown(cl), program, machine: &machine, dialect };
+    rig.machine = toolpath.equipped(rig.machine);
+    let reader = toolpath.reader(cl, &rig.machine, report)?;
+    let program = program.as_deref().or(stem(cl)).unwrap_or(&rig.machine.name);
     let mut nc = Output::begin(output.as_deref())?;
     let mut told = Collected::default();
     let mut tell = |diagnostic| told.add(diagnostic);
     let threads = threads.or_else(|| available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN);
-    let certificate = match mach_runtime::post::post(job, kinematics, reader, &mut nc, threads, &mut tell) {
+    let certificate = match rig.post((shown(cl), program), reader, &mut nc, threads, &mut tell) {
         Ok(certificate) => certificate,
         Err(error) => return Err(nc.into_failure().unwrap_or_else(|| cannot_read(cl, &error))),
     };
     let status = report.tell(&quoted(told.into_diagnostics(), cl));
     let Some(certificate) = certificate else { return Ok(Status::Refused) };
     nc.commit()?;
-    report.certificate(&machine.name, &certificate);
+    report.certificate(&rig.machine.name, &certificate);
     Ok(status)
 }
 

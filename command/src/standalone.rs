@@ -4,8 +4,7 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, FromArgMatches};
 use mach_runtime::kinematics::Kinematics;
-use mach_runtime::machine::Machine;
-use mach_runtime::nc::dialect::Dialect;
+use mach_runtime::rig::Rig;
 
 use crate::outcome::exit_code;
 use crate::post::{PostOptions, post};
@@ -28,16 +27,11 @@ certificate (on standard error) says how close it is. When there is any error, n
 Exit status: 0 done, 1 the input has errors, 2 wrong usage or a file that cannot be read or written.";
 
 /// Runs the post of one machine with the arguments of this process. The command calls itself `name`.
-pub fn run<K: Kinematics + Clone + Send>(
-    name: &'static str,
-    machine: Machine,
-    dialect: &Dialect,
-    kinematics: &K,
-) -> ExitCode {
-    let about = format!("Post a CL file for the machine {}: an NC program and its certificate", machine.name);
+pub fn run<K: Kinematics + Clone + Send>(name: &'static str, rig: Rig<K>) -> ExitCode {
+    let about = format!("Post a CL file for the machine {}: an NC program and its certificate", rig.machine.name);
     let command = Arguments::command().name(name).long_about(format!("{about}\n\n{MORE}")).about(about);
     let matches = command.get_matches();
     let arguments = Arguments::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     let report = Report::new(arguments.report);
-    exit_code(post(machine, dialect, kinematics, &arguments.post, &report), &report)
+    exit_code(post(rig, &arguments.post, &report), &report)
 }

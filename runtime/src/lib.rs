@@ -20,6 +20,7 @@ pub mod place;
 pub mod post;
 pub mod readback;
 pub mod render;
+pub mod rig;
 pub mod segment;
 mod usual_decimal;
 pub mod vector;

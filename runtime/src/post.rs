@@ -27,27 +27,19 @@ pub use refusal::{
 
 /// What is posted, and for whom.
 #[derive(Debug, Clone, Copy)]
-pub struct Job<'a> {
+pub(crate) struct Job<'a> {
     /// The CL file as the user named it.
-    pub file: &'a str,
+    pub(crate) file: &'a str,
     /// The program's name.
-    pub program: &'a str,
+    pub(crate) program: &'a str,
     /// The machine.
-    pub machine: &'a Machine,
+    pub(crate) machine: &'a Machine,
     /// Its controller.
-    pub dialect: &'a Dialect,
+    pub(crate) dialect: &'a Dialect,
 }
 
-/// Posts a CL file to `nc`. Diagnostics go to `tell` as they come. The certificate is there when the input had no errors;
-/// without it what was written is worth nothing. What comes out does not depend on the number of threads. Two have
-/// work: one reads, reads back and compares, the other solves and prints.
-///
-/// # Errors
-/// When the CL cannot be read or the NC text cannot be written.
-///
-/// # Panics
-/// When the printed text cannot be read back: a defect of this program.
-pub fn post<R: Read, K: Kinematics + Clone + Send>(
+/// See [`crate::rig::Rig::post`].
+pub(crate) fn post<R: Read, K: Kinematics + Clone + Send>(
     job: Job<'_>,
     kinematics: &K,
     reader: Reader<R>,

@@ -6,13 +6,14 @@ use mach_command::files::shown;
 use mach_command::outcome::{Failure, Status};
 use mach_command::report::Report;
 use mach_runtime::machine::Machine;
+use mach_runtime::rig::Rig;
 use machc::compile::{Compiled, compile};
 use machc::derive::prove::Proof;
 use machc::diagnostic::Diagnostic;
 use machc::emit::tables;
 use machc::model::machine::Model;
 use machc::model::origin::Origins;
-use machc::plan::Plan;
+use machc::plan::{Interpreter, Plan};
 
 use super::folders::{Folders, generated_name};
 
@@ -27,6 +28,14 @@ pub(super) struct Prepared {
     pub(super) machine: Machine,
     pub(super) plan: Plan,
     pub(super) proof: Proof,
+}
+
+impl Prepared {
+    /// The machine with its closed form; none when it names no controller.
+    pub(super) fn rig(&self) -> Option<Rig<Interpreter>> {
+        let dialect = self.model.dialect.clone()?;
+        Some(Rig { machine: self.machine.clone(), kinematics: Interpreter::new(&self.plan), dialect })
+    }
 }
 
 /// Compiles a machine file and tells what there is to tell; nothing when it has errors.

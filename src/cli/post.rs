@@ -3,6 +3,7 @@
 use mach_command::outcome::{Failure, Status};
 use mach_command::post::{PostOptions, post};
 use mach_command::report::Report;
+use mach_runtime::rig::Rig;
 use machc::diagnostic::{Code, Diagnostic};
 use machc::model::origin::Origins;
 use machc::numeric::Inverse;
@@ -43,12 +44,14 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: Arguments, report: &mut Report) -> Result<Status, Failure> {
     let Some(prepared) = prepare(&arguments.machine, report)? else { return Ok(Status::Refused) };
-    let Some(dialect) = &prepared.model.dialect else {
+    let Some(dialect) = prepared.model.dialect.clone() else {
         return Ok(report.tell(&[no_controller(&prepared.origins)]));
     };
-    match arguments.solver.inverse(&prepared)? {
-        Inverse::ClosedForm(solver) => post(prepared.machine, dialect, &*solver, &arguments.post, report),
-        Inverse::Numeric(solver) => post(prepared.machine, dialect, &*solver, &arguments.post, report),
+    let inverse = arguments.solver.inverse(&prepared)?;
+    let machine = prepared.machine;
+    match inverse {
+        Inverse::ClosedForm(solver) => post(Rig { machine, kinematics: *solver, dialect }, &arguments.post, report),
+        Inverse::Numeric(solver) => post(Rig { machine, kinematics: *solver, dialect }, &arguments.post, report),
     }
 }
 

@@ -179,13 +179,11 @@ fn posted(workspace: &Workspace, machine_file: &str, machine: &Prepared, cl_file
         fs::read(&path).map_err(|error| cannot_read(&path.to_string_lossy(), &error))
     };
     let (machine_text, cl) = (read(machine_file)?, read(cl_file)?);
-    let dialect = machine.model.dialect.as_ref().expect("machines without a controller are told");
+    let rig = machine.rig().expect("machines without a controller are told");
     Ok(content(&Program {
         machine_file,
         machine_text: &String::from_utf8_lossy(&machine_text),
-        machine: &machine.machine,
-        plan: &machine.plan,
-        dialect,
+        rig: &rig,
         cl_file,
         cl: &cl,
     }))

@@ -7,7 +7,7 @@ mod branch;
 mod side;
 mod words;
 
-pub use side::{Refusal, Side};
+pub use side::Refusal;
 pub use words::WordChange;
 
 use crate::diagnostic::Diagnostic;
@@ -16,6 +16,7 @@ use mach_runtime::certificate::{Extreme, Range};
 use mach_runtime::cl::event::Point;
 use mach_runtime::cl::{Next, Reader};
 use mach_runtime::kinematics::LANES;
+use mach_runtime::rig::Rig;
 use mach_runtime::vector::{Vec3, angle_rad, norm, sub};
 use side::{Reached, Walker};
 use std::io::{self, Read};
@@ -110,12 +111,12 @@ impl Apart {
 /// # Errors
 /// When the CL cannot be read.
 pub fn compare<R: Read>(
-    old: Side<'_>,
-    new: Side<'_>,
+    old: &Rig<Interpreter>,
+    new: &Rig<Interpreter>,
     mut reader: Reader<R>,
     tell: &mut dyn FnMut(Diagnostic),
 ) -> io::Result<Comparison> {
-    let (mut old_inverse, mut new_inverse) = (Interpreter::new(old.plan), Interpreter::new(new.plan));
+    let (mut old_inverse, mut new_inverse) = (old.kinematics.clone(), new.kinematics.clone());
     let mut walk = Walk::new(Walker::new(old, &mut old_inverse), Walker::new(new, &mut new_inverse));
     let mut points = Vec::with_capacity(LANES);
     loop {

@@ -1,6 +1,6 @@
 //! One of two machines on its way along a toolpath.
 
-use crate::plan::{Interpreter, Plan};
+use crate::plan::Interpreter;
 use mach_runtime::branch::{Candidate, Choice};
 use mach_runtime::certificate::Range;
 use mach_runtime::cl::event::Point;
@@ -8,20 +8,9 @@ use mach_runtime::compensation::Compensated;
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Miss, PoseBlock};
 use mach_runtime::machine::Machine;
 use mach_runtime::nc::axis_word::AxisWord;
-use mach_runtime::nc::dialect::Dialect;
 use mach_runtime::path::{PathSolver, Solved};
+use mach_runtime::rig::Rig;
 use mach_runtime::vector::{Vec3, sub};
-
-/// A machine to be compared.
-#[derive(Debug, Clone, Copy)]
-pub struct Side<'a> {
-    /// Its tables.
-    pub machine: &'a Machine,
-    /// What was derived of it.
-    pub plan: &'a Plan,
-    /// Its controller.
-    pub dialect: &'a Dialect,
-}
 
 /// Why a machine does not go to a point.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -82,14 +71,14 @@ pub(super) struct Walker<'a> {
 }
 
 impl<'a> Walker<'a> {
-    pub(super) fn new(side: Side<'a>, inverse: &'a mut Interpreter) -> Self {
-        let Side { machine, plan, dialect } = side;
+    pub(super) fn new(rig: &'a Rig<Interpreter>, inverse: &'a mut Interpreter) -> Self {
+        let Rig { machine, kinematics, dialect } = rig;
         let words = dialect.axes.iter().zip(&machine.axes);
         Self {
             machine,
             path: PathSolver::new(machine, inverse),
             words: words.map(|(word, axis)| AxisWord::new(word, axis, dialect.units)).collect(),
-            forward: Compensated::new(Interpreter::new(plan), machine),
+            forward: Compensated::new(kinematics.clone(), machine),
             joints: vec![[0.0; LANES]; machine.axes.len()],
             poses: PoseBlock::ZERO,
             ranges: machine.axes.iter().map(Range::new).collect(),

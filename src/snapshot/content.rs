@@ -1,13 +1,8 @@
 //! What is locked of a program on a machine: the machine file, what was told, the certificate, the NC text.
 
-use crate::plan::{Interpreter, Plan};
-use mach_runtime::cl::{Reader, ReaderOptions, quote};
-use mach_runtime::machine::Machine;
-use mach_runtime::nc::dialect::Dialect;
-use mach_runtime::post::{Job, post};
+use crate::plan::Interpreter;
 use mach_runtime::render::{Style, render};
-use std::num::NonZeroUsize;
-use std::path::Path;
+use mach_runtime::rig::{Posted, Rig};
 
 /// A program and the machine that it is posted for.
 #[derive(Debug, Clone, Copy)]
@@ -16,12 +11,8 @@ pub struct Program<'a> {
     pub machine_file: &'a str,
     /// Its text.
     pub machine_text: &'a str,
-    /// The machine's tables.
-    pub machine: &'a Machine,
-    /// What was derived of it.
-    pub plan: &'a Plan,
-    /// Its controller.
-    pub dialect: &'a Dialect,
+    /// The machine.
+    pub rig: &'a Rig<Interpreter>,
     /// The CL file's name; without folder and extension it is the program's name.
     pub cl_file: &'a str,
     /// What the CL file holds.
@@ -30,16 +21,8 @@ pub struct Program<'a> {
 
 /// Posts the program, and says what came out: a refusal is as good as a program.
 pub fn content(program: &Program<'_>) -> String {
-    let Program { machine_file, machine_text, machine, plan, dialect, cl_file, cl } = *program;
-    let name = Path::new(cl_file).file_stem().and_then(|stem| stem.to_str()).unwrap_or(&machine.name);
-    let options = ReaderOptions::of(machine);
-    let job = Job { file: cl_file, program: name, machine, dialect };
-    let (mut nc, mut diagnostics) = (Vec::new(), Vec::new());
-    let mut tell = |diagnostic| diagnostics.push(diagnostic);
-    let (kinematics, reader) = (Interpreter::new(plan), Reader::new(cl_file, cl, options));
-    let certificate = post(job, &kinematics, reader, &mut nc, NonZeroUsize::MIN, &mut tell)
-        .expect("reading from and writing to memory does not fail");
-    quote(&mut diagnostics, cl_file, cl).expect("reading from memory does not fail");
+    let Program { machine_file, machine_text, rig, cl_file, cl } = *program;
+    let Posted { nc, certificate, diagnostics } = rig.post_text(cl_file, cl);
     let told = render(&diagnostics, Style::PLAIN);
     let mut text = format!("==== {machine_file}\n{machine_text}\n==== {cl_file}\n{told}");
     if let Some(certificate) = certificate {

@@ -1,27 +1,13 @@
 //! CL files, posted.
 
 use crate::machine::root;
-use mach_runtime::certificate::Certificate;
-use mach_runtime::cl::{Reader, ReaderOptions, quote};
-use mach_runtime::diagnostic::Diagnostic;
 use mach_runtime::kinematics::Kinematics;
-use mach_runtime::post::{Job, post};
+use mach_runtime::rig::{Posted, Rig};
 use machc::compile::Compiled;
 use machc::emit::tables;
 use machc::plan::Interpreter;
 use std::fs;
 use std::num::NonZeroUsize;
-use std::path::Path;
-
-/// What a post gave.
-pub(crate) struct Posted {
-    /// What was written; worth nothing without a certificate.
-    pub(crate) nc: Vec<u8>,
-    /// There when the input had no errors.
-    pub(crate) certificate: Option<Certificate>,
-    /// With the CL lines they speak of.
-    pub(crate) diagnostics: Vec<Diagnostic>,
-}
 
 /// Posts a CL file by the closed form; the path is from the package's folder.
 pub(crate) fn posted(compiled: &Compiled, cl: &str) -> Posted {
@@ -42,15 +28,7 @@ pub(crate) fn posted_text<K: Kinematics + Clone + Send>(
     text: &[u8],
     threads: NonZeroUsize,
 ) -> Posted {
-    let machine = tables::machine(&compiled.model);
-    let dialect = compiled.model.dialect.as_ref().expect("a machine with a controller");
-    let program = Path::new(cl).file_stem().and_then(|stem| stem.to_str()).expect("a name in UTF-8");
-    let job = Job { file: cl, program, machine: &machine, dialect };
-    let reader = Reader::new(cl, text, ReaderOptions::of(&machine));
-    let (mut nc, mut diagnostics) = (Vec::new(), Vec::new());
-    let mut tell = |diagnostic| diagnostics.push(diagnostic);
-    let certificate = post(job, kinematics, reader, &mut nc, threads, &mut tell)
-        .expect("reading from and writing to memory does not fail");
-    quote(&mut diagnostics, cl, text).expect("reading from memory does not fail");
-    Posted { nc, certificate, diagnostics }
+    let dialect = compiled.model.dialect.clone().expect("a machine with a controller");
+    let rig = Rig { machine: tables::machine(&compiled.model), kinematics: kinematics.clone(), dialect };
+    rig.post_text_by(cl, text, threads)
 }

@@ -85,7 +85,7 @@ fn index(machines: &[Compiled]) -> String {
     let (mut modules, mut solvers, mut tables) = (String::new(), String::new(), String::new());
     for Compiled { model, .. } in machines {
         let name = &model.name;
-        let dialect = if model.dialect.is_some() { format!("Some({name}::dialect())") } else { "None".to_owned() };
+        let dialect = if model.dialect.is_some() { format!("Some({name}::rig().dialect)") } else { "None".to_owned() };
         writeln!(modules, "mod {name};").expect("strings can be written");
         writeln!(solvers, "{name:?} => Box::new({name}::Solver),").expect("strings can be written");
         writeln!(tables, "{name:?} => ({name}::machine(), {dialect}),").expect("strings can be written");

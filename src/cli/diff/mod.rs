@@ -8,10 +8,12 @@ use mach_command::outcome::{Failure, Status};
 use mach_command::output::{Lines, print};
 use mach_command::report::{Collected, Report};
 use mach_command::toolpath::{Options, quoted};
-use machc::compare::{Side, compare};
+use mach_runtime::rig::Rig;
+use machc::compare::compare;
 use machc::diagnostic::Severity;
+use machc::plan::Interpreter;
 
-use super::machine::{Prepared, prepare};
+use super::machine::prepare;
 use super::post;
 
 /// Show what a change in a machine file does to the motion
@@ -40,7 +42,7 @@ pub(super) fn run(arguments: Arguments, report: &Report) -> Result<Status, Failu
     let (old_machine, new_machine) = (old_machine?, new_machine?);
     let reader = options.reader(&cl, &old_machine.machine, report)?;
     let mut told = Collected::default();
-    let compared = compare(side(&old_machine), side(&new_machine), reader, &mut |diagnostic| told.add(diagnostic));
+    let compared = compare(&old_machine, &new_machine, reader, &mut |diagnostic| told.add(diagnostic));
     let comparison = compared.map_err(|error| cannot_read(&cl, &error))?;
     let diagnostics = quoted(told.into_diagnostics(), &cl);
     report.tell(&diagnostics);
@@ -59,19 +61,14 @@ pub(super) fn run(arguments: Arguments, report: &Report) -> Result<Status, Failu
 }
 
 /// A machine with a controller.
-fn machine(file: &str, options: &Options, report: &Report) -> Result<Prepared, Failure> {
-    let mut prepared = prepare(file, report)?.ok_or_else(|| has_errors(file))?;
-    if prepared.model.dialect.is_none() {
+fn machine(file: &str, options: &Options, report: &Report) -> Result<Rig<Interpreter>, Failure> {
+    let prepared = prepare(file, report)?.ok_or_else(|| has_errors(file))?;
+    let Some(mut rig) = prepared.rig() else {
         report.tell(&[post::no_controller(&prepared.origins)]);
         return Err(has_errors(file));
-    }
-    prepared.machine = options.equipped(prepared.machine);
-    Ok(prepared)
-}
-
-fn side(prepared: &Prepared) -> Side<'_> {
-    let dialect = prepared.model.dialect.as_ref().expect("machines without a controller are told");
-    Side { machine: &prepared.machine, plan: &prepared.plan, dialect }
+    };
+    rig.machine = options.equipped(rig.machine);
+    Ok(rig)
 }
 
 fn has_errors(file: &str) -> Failure {

@@ -14,8 +14,8 @@ use literal::Literal;
 use mach_runtime::machine::Motion;
 use std::fmt::Write;
 
-/// The source of a module with `Solver`, `machine()` and, where the machine names a controller, `dialect()`. It needs the
-/// crates `mach-runtime` and `libm`.
+/// The source of a module with `Solver`, `machine()` and, where the machine names a controller, `dialect()` and `rig()`. It
+/// needs the crates `mach-runtime` and `libm`.
 pub fn rust(compiled: &Compiled) -> String {
     let mut code = [inverse_code(compiled), position_code(compiled), forward_code(compiled)].join("\n");
     if compiled.plan.errors > 0 {
@@ -35,7 +35,11 @@ pub fn rust(compiled: &Compiled) -> String {
 
 fn header(compiled: &Compiled) -> String {
     let title = compiled.model.title.as_ref().map(|title| format!(": {title}")).unwrap_or_default();
-    let uses_dialect = if compiled.model.dialect.is_some() { "use mach_runtime::nc::dialect::*;\n" } else { "" };
+    let uses_dialect = if compiled.model.dialect.is_some() {
+        "use mach_runtime::nc::dialect::*;\nuse mach_runtime::rig::Rig;\n"
+    } else {
+        ""
+    };
     let uses_errors = if compiled.plan.errors > 0 { "use mach_runtime::error_table::*;\n" } else { "" };
     format!(
         "\
@@ -146,6 +150,12 @@ const FORWARD_ACTUAL: &str = "
             out.set(lane, tip, axis);
         }
     }
+";
+
+/// Everything together.
+const RIG: &str = "
+/// The machine with its solver and its controller.
+pub fn rig() -> Rig<Solver> { Rig { machine: machine(), kinematics: Solver, dialect: dialect() } }
 ";
 
 /// Those of some functions that the code calls by their names.
@@ -259,7 +269,8 @@ fn dialect(compiled: &Compiled) -> String {
     if let Some(dialect) = &compiled.model.dialect {
         let literal = dialect.literal();
         let what = "The dialect of its controller: words, number pictures and blocks.";
-        write!(text, "\n/// {what}\npub fn dialect() -> Dialect {{ {literal} }}\n").expect("strings can be written");
+        write!(text, "\n/// {what}\npub fn dialect() -> Dialect {{ {literal} }}\n{RIG}")
+            .expect("strings can be written");
     }
     text
 }

@@ -10,6 +10,7 @@
 use mach_runtime::kinematics::*;
 use mach_runtime::machine::*;
 use mach_runtime::nc::dialect::*;
+use mach_runtime::rig::Rig;
 use mach_runtime::vector::Vec3;
 
 /// The kinematics of dmu50ev.
@@ -715,6 +716,15 @@ pub fn dialect() -> Dialect {
                 ]),
             },
         ]),
+    }
+}
+
+/// The machine with its solver and its controller.
+pub fn rig() -> Rig<Solver> {
+    Rig {
+        machine: machine(),
+        kinematics: Solver,
+        dialect: dialect(),
     }
 }
 
