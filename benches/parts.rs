@@ -125,11 +125,11 @@ fn rates_of_axes(bencher: Bencher<'_, '_>, name: &str) {
 fn between_points(bencher: Bencher<'_, '_>, name: &str) {
     let machine = tables::machine(&machine(name).model);
     let mut segments = Segments::new(&machine.chain, machine.tool());
-    let ends = [[0.0, 10.0, 20.0, 30.0, 40.0], [0.5, 10.5, 20.2, 31.0, 42.0]];
-    let mut next = ends.iter().cycle();
-    bencher.bench_local(|| {
-        segments.go_to(next.next().expect("they go round"));
-        segments.quick_bound_mm()
+    let joints: Vec<f64> = (0..LANES * machine.axes.len()).map(|n| n as f64 / 10.0).collect();
+    let tips_mm = [[100.0; LANES]; 3];
+    bencher.counter(ItemsCount::new(LANES)).bench_local(|| {
+        segments.go_to(&joints, &tips_mm);
+        segments.quick_bound_mm(0)
     });
 }
 

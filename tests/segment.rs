@@ -1,5 +1,6 @@
 //! Between two points the tip stays within the bound that is stated, wherever it is looked at.
 
+use mach_runtime::kinematics::{LANES, Lane};
 use mach_runtime::machine::{Machine, Motion, Rule, ToolGeometry};
 use mach_runtime::segment::Segments;
 use mach_runtime::vector::{Vec3, add, dot, norm, scale, sub};
@@ -42,11 +43,30 @@ fn distance_mm(point: Vec3, [start, end]: [Vec3; 2]) -> f64 {
 
 /// What is stated, and the most that is seen.
 fn stated_and_seen(machine: &Machine, from: &[f64], to: &[f64]) -> [f64; 2] {
+    let pair = [from, to].concat();
+    let tips_mm = |joints: &[f64]| {
+        let mut tips_mm = [[0.0; LANES]; 3];
+        for (lane, joints) in joints.chunks(machine.axes.len()).enumerate() {
+            let (tip, _) = machine.chain.pose(joints, TOOL);
+            (0..3).for_each(|i| tips_mm[i][lane] = tip[i]);
+        }
+        tips_mm
+    };
     let mut segments = Segments::new(&machine.chain, TOOL);
-    segments.go_to(from);
-    segments.go_to(to);
-    let stated = segments.deviation_mm();
-    assert!(stated <= segments.quick_bound_mm(), "the quick bound is one");
+    segments.go_to(&pair, &tips_mm(&pair));
+    let mut half_way = vec![[0.0; LANES]; machine.axes.len()];
+    let stated = |segments: &Segments<'_>, half_way: &mut Vec<Lane>, lane: usize| {
+        segments.half_way(half_way);
+        let joints: Vec<f64> = half_way.iter().map(|joint| joint[lane]).collect();
+        let stated = segments.deviation_mm(lane, machine.chain.pose(&joints, TOOL).0);
+        assert!(stated <= segments.quick_bound_mm(lane), "the quick bound is one");
+        stated
+    };
+    let together = stated(&segments, &mut half_way, 1);
+    // One after the other they say the same.
+    [from, to].into_iter().for_each(|end| segments.go_to(end, &tips_mm(end)));
+    let stated = stated(&segments, &mut half_way, 0);
+    assert_eq!(stated, together);
     let tip = |share: f64| {
         let joints: Vec<f64> = from.iter().zip(to).map(|(a, b)| a + share * (b - a)).collect();
         machine.chain.pose(&joints, TOOL).0

@@ -1,7 +1,6 @@
 //! The certificate: how close the printed program is to the CL, and how close the machine comes to its limits.
 
 use crate::machine::{Axis, Motion};
-use crate::segment::Segments;
 use crate::vector::{Vec3, cross, dot, sub};
 use std::fmt;
 
@@ -145,14 +144,25 @@ pub struct Between {
     pub beyond_tolerance: u64,
 }
 
+/// The way to a point from the one before it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Way {
+    /// Whether it is gone at feed.
+    pub(crate) is_cut: bool,
+    /// The line of the point where it ends.
+    pub(crate) line: u64,
+    /// A bound on how far the tip leaves its line that costs little.
+    pub(crate) quick_mm: f64,
+}
+
 impl Between {
-    /// A block from one point to the next. Only what may be the worst is looked at closely.
+    /// Takes a way. Only what may be the worst is looked at closely.
     #[inline]
-    pub(crate) fn meet(&mut self, segments: &Segments<'_>, is_cut: bool, line: u64, tolerance_mm: f64) {
-        let quick_mm = segments.quick_bound_mm();
+    pub(crate) fn meet(&mut self, way: Way, tolerance_mm: f64, deviation_mm: impl FnOnce() -> f64) {
+        let Way { is_cut, line, quick_mm } = way;
         let worst = if is_cut { &mut self.feed_mm } else { &mut self.rapid_mm };
         if worst.line == 0 || quick_mm > worst.value {
-            worst.meet(segments.deviation_mm(), line);
+            worst.meet(deviation_mm(), line);
         }
         self.beyond_tolerance += u64::from(is_cut && quick_mm > tolerance_mm);
     }

@@ -2,7 +2,7 @@
 
 use super::Job;
 use super::stretch::{PrintedPoint, Stretch};
-use crate::certificate::{Certificate, Deviation};
+use crate::certificate::{Certificate, Deviation, Way};
 use crate::cl::event::{Approach, Point};
 use crate::compensation::Compensated;
 use crate::kinematics::{JointBlock, Kinematics, LANES, PoseBlock};
@@ -19,6 +19,8 @@ pub(super) struct Checker<'a, K> {
     readback: ReadBack,
     certificate: Certificate,
     segments: Segments<'a>,
+    /// How many blocks each of the points has.
+    blocks: [u64; LANES],
     /// What the text of a block of points says, and where that takes the tool.
     joints: JointBlock,
     poses: PoseBlock,
@@ -36,6 +38,7 @@ impl<'a, K: Kinematics> Checker<'a, K> {
             readback: ReadBack::new(job.dialect, axes, job.machine.tool().length_mm),
             certificate: Certificate::new(axes),
             segments: Segments::new(&job.machine.chain, job.machine.tool()),
+            blocks: [0; LANES],
             joints: vec![[0.0; LANES]; axes.len()],
             poses: PoseBlock::ZERO,
             wanted: PoseBlock::ZERO,
@@ -47,8 +50,9 @@ impl<'a, K: Kinematics> Checker<'a, K> {
         let joints = stretch.joints.chunks(LANES * self.joints.len());
         for (printed, joints) in stretch.printed.chunks(LANES).zip(joints) {
             self.watch(printed, joints, &stretch.points);
-            self.read(printed, joints, stretch);
+            self.read(printed, stretch);
             self.compare(printed, &stretch.points);
+            self.look_between(printed, joints, &stretch.points);
         }
         self.nc.write_all(&stretch.text)
     }
@@ -70,10 +74,9 @@ impl<'a, K: Kinematics> Checker<'a, K> {
         }
     }
 
-    /// Reads the text of up to [`LANES`] points, which the solver put at `solved`.
-    fn read(&mut self, printed: &[PrintedPoint], solved: &[f64], stretch: &Stretch) {
-        let axes = self.joints.len();
-        for (lane, (printed, solved)) in printed.iter().zip(solved.chunks(axes)).enumerate() {
+    /// Reads the text of up to [`LANES`] points.
+    fn read(&mut self, printed: &[PrintedPoint], stretch: &Stretch) {
+        for (lane, printed) in printed.iter().enumerate() {
             let motion = printed.text.clone();
             let read = self.readback.read(&stretch.text, motion.clone());
             let (blocks, joints) = read.unwrap_or_else(|error| {
@@ -82,21 +85,10 @@ impl<'a, K: Kinematics> Checker<'a, K> {
                 panic!("the text printed for CL line {line} must read back, but: {error}\n{text}")
             });
             self.certificate.blocks += blocks;
+            self.blocks[lane] = blocks;
             for (joint, value) in self.joints.iter_mut().zip(joints) {
                 joint[lane] = *value;
             }
-            self.look_between(printed, blocks, solved, &stretch.points);
-        }
-    }
-
-    /// Looks at the way to a point from the one before it, which the solver's joints know: a word within a turn does not say
-    /// how the axis gets there. Several blocks are an approach, which has a way of its own.
-    fn look_between(&mut self, printed: &PrintedPoint, blocks: u64, solved: &[f64], points: &[Point]) {
-        self.segments.go_to(solved);
-        if printed.is_next && blocks == 1 {
-            let Point { approach, line, .. } = points[printed.point];
-            let is_cut = matches!(approach, Approach::Feed(_));
-            self.certificate.between.meet(&self.segments, is_cut, line, self.job.machine.chord_tolerance_mm);
         }
     }
 
@@ -111,6 +103,24 @@ impl<'a, K: Kinematics> Checker<'a, K> {
         let deviations = deviations(wanted, poses);
         for (printed, deviation) in printed.iter().zip(deviations) {
             certificate.compare(points[printed.point].line, deviation);
+        }
+    }
+
+    /// Looks at the ways to the points from those before them, which the solver's joints know: a word within a turn does not
+    /// say how the axis gets there. Several blocks are an approach, which has a way of its own.
+    fn look_between(&mut self, printed: &[PrintedPoint], solved: &[f64], points: &[Point]) {
+        let Self { job: Job { machine, .. }, kinematics, segments, certificate, blocks, joints, poses, wanted, .. } =
+            self;
+        segments.go_to(solved, &wanted.tip_mm);
+        segments.half_way(joints);
+        kinematics.forward(joints, machine.tool(), poses);
+        for (lane, printed) in
+            printed.iter().enumerate().filter(|(lane, printed)| printed.is_next && blocks[*lane] == 1)
+        {
+            let Point { approach, line, .. } = points[printed.point];
+            let is_cut = matches!(approach, Approach::Feed(_));
+            let way = Way { is_cut, line, quick_mm: segments.quick_bound_mm(lane) };
+            certificate.between.meet(way, machine.chord_tolerance_mm, || segments.deviation_mm(lane, poses.tip(lane)));
         }
     }
 }
