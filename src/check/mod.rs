@@ -10,6 +10,7 @@ pub(crate) mod direction;
 pub(crate) mod error_rows;
 pub(crate) mod error_size;
 pub(crate) mod idle_error;
+pub(crate) mod limited_wrapped;
 pub(crate) mod linear_span;
 pub(crate) mod missing;
 pub(crate) mod narrow_word;
@@ -31,7 +32,7 @@ use crate::model::source::Location;
 /// A check: everything it finds in a draft.
 type Check = fn(&Draft<'_>) -> Vec<Diagnostic>;
 
-static CHECKS: [Check; 17] = [
+static CHECKS: [Check; 18] = [
     missing::check,
     chain_ends::check,
     unknown_axis::check,
@@ -46,6 +47,7 @@ static CHECKS: [Check; 17] = [
     travel::check,
     preference::check,
     written_range::check,
+    limited_wrapped::check,
     idle_error::check,
     error_rows::check,
     error_size::check,

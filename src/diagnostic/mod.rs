@@ -9,7 +9,7 @@ use crate::emit::c;
 use crate::model::{arithmetic, describe, dh, evaluate, family, field, function, library, load, measured, parameter};
 
 /// The codes of the model and of the checks; those of the syntax are listed there.
-static CODES: [&Code; 46] = [
+static CODES: [&Code; 47] = [
     &load::CANNOT_READ,
     &load::USE_CYCLE,
     &library::DEFINED_TWICE,
@@ -54,6 +54,7 @@ static CODES: [&Code; 46] = [
     &check::written_range::NOT_ROTARY,
     &check::narrow_word::NARROW,
     &check::no_way_out::NO_WAY_OUT,
+    &check::limited_wrapped::BEYOND_THE_TURN,
     &prove::NOT_PROVED,
     &c::NO_WORLD_COORDINATE,
 ];

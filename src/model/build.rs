@@ -55,17 +55,25 @@ pub(crate) fn build(draft: &Draft<'_>) -> Model {
 
 fn build_axis(draft: &Draft<'_>, axis: &AxisDraft) -> Axis {
     let travel = axis.travel.as_ref().map(|travel| Travel { lower: travel.value[0], upper: travel.value[1] });
-    let said = draft.written.iter().rfind(|written| written.axis.value.value == axis.name.value);
-    let range_deg = said.and_then(|written| written.range_deg.as_ref());
+    let travel = travel.unwrap_or(Travel::UNLIMITED);
     Axis {
         name: axis.name.value.clone(),
         motion: axis.motion,
         direction: axis.unit().expect(CHECKED),
         point_mm: axis.point_mm.expect(CHECKED),
-        travel: travel.unwrap_or(Travel::UNLIMITED),
+        travel,
         rule: draft.ruled(axis).map_or(Rule::Pose, |ruled| ruled.rule.expect(CHECKED)),
         rapid_per_min: axis.rapid_per_min,
-        written: range_deg.map_or(Written::Unwound, |range| Written::Wrapped { from_deg: range.value[0] }),
+        written: written(draft, axis, travel),
+    }
+}
+
+/// The travel of an axis with limits is within its range, so that nothing is ever taken off its value.
+fn written(draft: &Draft<'_>, axis: &AxisDraft, travel: Travel) -> Written {
+    let range_deg = draft.written_of(axis).and_then(|written| written.range_deg.as_ref());
+    match range_deg {
+        Some(range) if travel == Travel::UNLIMITED => Written::Wrapped { from_deg: range.value[0] },
+        _ => Written::Unwound,
     }
 }
 

@@ -31,7 +31,7 @@ pub(crate) struct Draft<'a> {
     pub(crate) reposition: Option<Strictness>,
     /// What is said of axes that the pose does not decide.
     pub(crate) ruled: Vec<RuleDraft>,
-    /// What the machine and its controller say of written ranges.
+    /// What the controller says of written ranges, and behind it what the machine says.
     pub(crate) written: Vec<WrittenDraft>,
 }
 
@@ -112,6 +112,11 @@ impl Draft<'_> {
     /// What is said of an axis that the pose does not decide.
     pub(crate) fn ruled(&self, axis: &AxisDraft) -> Option<&RuleDraft> {
         self.ruled.iter().rfind(|ruled| ruled.axis.value.value == axis.name.value)
+    }
+
+    /// What holds of how an axis is written.
+    pub(crate) fn written_of(&self, axis: &AxisDraft) -> Option<&WrittenDraft> {
+        self.written.iter().rfind(|written| written.axis.value.value == axis.name.value)
     }
 
     /// The axes of this motion that the pose decides, in the order of declaration.

@@ -118,6 +118,20 @@ fn a_controller_is_its_family_and_what_the_machine_changes() {
 }
 
 #[test]
+fn no_turn_is_taken_off_an_axis_with_limits() {
+    let wrapped = |own: &str, travel_c: &str| {
+        let machine = TRUNNION.replace("    branch {", &format!("    controller plain {{ {own} }}\n    branch {{"));
+        let text = format!("use \"c.mach\"\n{}", machine.replace("turns unlimited", travel_c));
+        let model = model(&[("m.mach", &text), ("c.mach", CONTROLLERS)]);
+        [3, 4].map(|axis| model.axes[axis].written != Written::Unwound)
+    };
+    assert_eq!(wrapped("write A -180 .. 180", "turns unlimited"), [false, true]);
+    assert_eq!(wrapped("", "travel 0 .. 359.9999"), [false, false], "359.9999 is printed as 360, not as 0");
+    assert_eq!(wrapped("write C unwound", "travel -200 .. 200"), [false, false]);
+    assert_eq!(wrapped("write C -200 .. 160", "travel -200 .. 159"), [false, false]);
+}
+
+#[test]
 fn a_file_used_twice_is_read_once() {
     let text = format!("use \"lib/a.mach\"\nuse \"./lib/../lib/b.mach\"\n{TRUNNION}");
     let files = [("m.mach", text.as_str()), ("lib/a.mach", "use \"b.mach\""), ("lib/b.mach", CONTROLLERS)];

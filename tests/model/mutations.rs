@@ -19,7 +19,7 @@ fn mutations(tokens: &[&str], index: usize) -> Vec<String> {
 #[test]
 fn every_mutated_file_gets_an_answer() {
     let machine =
-        TRUNNION.replace("    branch {", "    controller fine { word Z angle write A 0 .. 360 }\n    branch {");
+        TRUNNION.replace("    branch {", "    controller fine { word Z angle write A -180 .. 180 }\n    branch {");
     let spaced = ["(", ")", ","].iter().fold(machine, |text, mark| text.replace(mark, &format!(" {mark} ")));
     let text = format!("{CONTROLLERS} {spaced}");
     let tokens: Vec<&str> = text.split_whitespace().collect();
