@@ -2,6 +2,7 @@
 
 mod between;
 mod checker;
+mod in_force;
 mod pipeline;
 mod printer;
 mod refusal;

@@ -1,15 +1,16 @@
 //! The first half of a post: the points of the CL are solved and printed.
 
+use super::in_force::InForce;
 use super::stretch::{PrintedPoint, Stretch};
 use super::{Job, NO_FEED_RATE, TOO_MANY_ERRORS, refusal};
 use crate::branch::{Candidate, Choice};
 use crate::cl::Next;
-use crate::cl::event::{Approach, Command, Coolant, Point, Spindle};
+use crate::cl::event::{Approach, Command, Point};
 use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::kinematics::Kinematics;
 use crate::nc::dialect::Trigger;
 use crate::nc::write_error::WriteError;
-use crate::nc::writer::{Values, Writer};
+use crate::nc::writer::Writer;
 use crate::path::{PathSolver, Solved};
 use std::mem;
 use std::ops::Range;
@@ -25,19 +26,7 @@ pub(super) struct Printer<'a> {
     errors: u32,
     has_begun: bool,
     without_feed: bool,
-    state: State,
-}
-
-/// What the placeholders of the blocks stand for, as far as the CL has said.
-#[derive(Debug, Default)]
-struct State {
-    operation: String,
-    tool_name: String,
-    text: String,
-    tool: u64,
-    register: u64,
-    speed_rpm: f64,
-    dwell_s: f64,
+    in_force: InForce,
 }
 
 impl<'a> Printer<'a> {
@@ -49,7 +38,7 @@ impl<'a> Printer<'a> {
             errors: 0,
             has_begun: false,
             without_feed: false,
-            state: State::default(),
+            in_force: InForce::default(),
         }
     }
 
@@ -138,53 +127,13 @@ impl<'a> Printer<'a> {
     }
 
     fn carry_out(&mut self, command: Command, place: Place, stretch: &mut Stretch) {
-        let trigger = match command {
-            Command::Operation { name, tool } => {
-                (self.state.operation, self.state.tool_name) = (name, tool);
-                Trigger::Operation
-            }
-            Command::Tool { number, register } => {
-                (self.state.tool, self.state.register) = (number, register.unwrap_or(number));
-                Trigger::Tool
-            }
-            Command::SpindleOn(direction, speed_rpm) => {
-                self.state.speed_rpm = speed_rpm;
-                match direction {
-                    Spindle::Clockwise => Trigger::SpindleClockwise,
-                    Spindle::Counterclockwise => Trigger::SpindleCounterclockwise,
-                }
-            }
-            Command::SpindleOff => Trigger::SpindleOff,
-            Command::CoolantOn(Coolant::Flood) => Trigger::CoolantFlood,
-            Command::CoolantOn(Coolant::Mist) => Trigger::CoolantMist,
-            Command::CoolantOn(Coolant::Through) => Trigger::CoolantThrough,
-            Command::CoolantOff => Trigger::CoolantOff,
-            Command::Stop => Trigger::Stop,
-            Command::OptionalStop => Trigger::OptionalStop,
-            Command::Dwell(dwell_s) => {
-                self.state.dwell_s = dwell_s;
-                Trigger::Dwell
-            }
-            Command::Message(text) => {
-                self.state.text = text;
-                Trigger::Message
-            }
-        };
-        self.command(trigger, Some(place), stretch);
+        if let Some(trigger) = self.in_force.take(command) {
+            self.command(trigger, Some(place), stretch);
+        }
     }
 
     fn command(&mut self, trigger: Trigger, place: Option<Place>, stretch: &mut Stretch) {
-        let values = Values {
-            program: self.job.program,
-            machine: &self.job.machine.name,
-            operation: &self.state.operation,
-            tool_name: &self.state.tool_name,
-            text: &self.state.text,
-            tool: self.state.tool,
-            register: self.state.register,
-            speed_rpm: self.state.speed_rpm,
-            dwell_s: self.state.dwell_s,
-        };
+        let values = self.in_force.values(self.job);
         if let Err(error) = self.writer.command(trigger, &values, &mut stretch.text) {
             let diagnostic = error.diagnostic();
             let diagnostic = match place {

@@ -1,0 +1,82 @@
+//! What the CL has said and is in force, and what the placeholders of the blocks stand for with it.
+
+use super::Job;
+use crate::cl::event::{Command, Coolant, Spindle};
+use crate::nc::dialect::Trigger;
+use crate::nc::writer::Values;
+use std::mem;
+
+#[derive(Debug, Default)]
+pub(super) struct InForce {
+    operation: String,
+    tool_name: String,
+    text: String,
+    /// The number and the length register of the tool in the spindle.
+    tool: Option<(u64, u64)>,
+    speed_rpm: f64,
+    dwell_s: f64,
+}
+
+impl InForce {
+    /// Puts a command in force, and says what prints it: nothing for the tool that is in the spindle already.
+    pub(super) fn take(&mut self, command: Command) -> Option<Trigger> {
+        Some(match command {
+            Command::Operation { name, tool } => {
+                (self.operation, self.tool_name) = (name, tool);
+                Trigger::Operation
+            }
+            Command::Tool { number, register } => {
+                let tool = Some((number, register.unwrap_or(number)));
+                return (mem::replace(&mut self.tool, tool) != tool).then_some(Trigger::Tool);
+            }
+            Command::SpindleOn(direction, speed_rpm) => {
+                self.speed_rpm = speed_rpm;
+                spindle(direction)
+            }
+            Command::SpindleOff => Trigger::SpindleOff,
+            Command::CoolantOn(kind) => coolant(kind),
+            Command::CoolantOff => Trigger::CoolantOff,
+            Command::Stop => Trigger::Stop,
+            Command::OptionalStop => Trigger::OptionalStop,
+            Command::Dwell(dwell_s) => {
+                self.dwell_s = dwell_s;
+                Trigger::Dwell
+            }
+            Command::Message(text) => {
+                self.text = text;
+                Trigger::Message
+            }
+        })
+    }
+
+    /// What the placeholders stand for.
+    pub(super) fn values<'a>(&'a self, job: Job<'a>) -> Values<'a> {
+        let (tool, register) = self.tool.unwrap_or_default();
+        Values {
+            program: job.program,
+            machine: &job.machine.name,
+            operation: &self.operation,
+            tool_name: &self.tool_name,
+            text: &self.text,
+            tool,
+            register,
+            speed_rpm: self.speed_rpm,
+            dwell_s: self.dwell_s,
+        }
+    }
+}
+
+fn spindle(direction: Spindle) -> Trigger {
+    match direction {
+        Spindle::Clockwise => Trigger::SpindleClockwise,
+        Spindle::Counterclockwise => Trigger::SpindleCounterclockwise,
+    }
+}
+
+fn coolant(kind: Coolant) -> Trigger {
+    match kind {
+        Coolant::Flood => Trigger::CoolantFlood,
+        Coolant::Mist => Trigger::CoolantMist,
+        Coolant::Through => Trigger::CoolantThrough,
+    }
+}
