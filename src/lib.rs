@@ -16,10 +16,10 @@
 //! ```
 
 mod check;
+pub mod codes;
 pub mod compare;
 pub mod compile;
 pub mod derive;
-pub mod diagnostic;
 pub mod emit;
 pub mod model;
 pub mod numeric;
@@ -27,3 +27,5 @@ pub mod plan;
 mod rig;
 pub mod snapshot;
 pub mod syntax;
+
+pub use mach_runtime::diagnostic;

@@ -2,8 +2,9 @@
 //!
 //! `MACHC_BLESS=1 cargo test --test bad` writes the expected text anew. Read what you accept.
 
+use mach_runtime::render::{Style, render};
+use machc::codes;
 use machc::compile::{Sources, compile};
-use machc::diagnostic::{Style, codes, render};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -58,7 +59,7 @@ fn no_expected_text_is_left_over() {
 fn every_code_of_the_model_and_the_checks_has_its_example() {
     let texts: String = stems("tests/bad", "mach").iter().map(|stem| rendered(stem)).collect();
     let of_the_model = |id: &str| ["E02", "E03", "E04", "E055", "W0"].iter().any(|group| id.starts_with(group));
-    for code in codes().into_iter().filter(|code| of_the_model(code.id)) {
+    for code in codes::all().into_iter().filter(|code| of_the_model(code.id)) {
         assert!(texts.contains(&format!("[{}]", code.id)), "no file in tests/bad shows {}", code.id);
     }
 }

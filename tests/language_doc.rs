@@ -103,7 +103,7 @@ fn whole(text: &str) -> String {
 fn every_example_compiles() {
     for Example { line, text } in examples() {
         if let Err(errors) = compile("example.mach", &Library(&whole(&text))) {
-            let errors = machc::diagnostic::render(&errors, machc::diagnostic::Style::PLAIN);
+            let errors = mach_runtime::render::render(&errors, mach_runtime::render::Style::PLAIN);
             panic!("the example at line {line} does not compile:\n{errors}");
         }
     }

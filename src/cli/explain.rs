@@ -2,7 +2,8 @@
 
 use mach_command::outcome::{Failure, Status};
 use mach_command::output::print;
-use machc::diagnostic::{self, Code};
+use machc::codes;
+use machc::diagnostic::Code;
 
 use super::{joints, post};
 
@@ -29,7 +30,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Status, Failure> {
 
 /// The library's codes and those of the command line, in order.
 fn codes() -> Vec<&'static Code> {
-    let mut codes = diagnostic::codes();
+    let mut codes = codes::all();
     codes.extend([&joints::BAD_JOINTS, &post::NO_CONTROLLER]);
     codes.sort_by_key(|code| code.id);
     codes

@@ -1,7 +1,7 @@
 //! Machine files, compiled.
 
+use mach_runtime::render::{Style, render};
 use machc::compile::{Compiled, Sources, compile};
-use machc::diagnostic::{Style, render};
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -3,8 +3,8 @@
 use mach_runtime::machine::{Motion, Preference, Strictness, Travel, Written};
 mod mutations;
 
+use mach_runtime::render::{Style, render};
 use machc::compile::{Sources, compile};
-use machc::diagnostic::{Style, render};
 use machc::model::machine::Model;
 use nalgebra::Vector3;
 use std::collections::BTreeMap;

@@ -1,8 +1,8 @@
 //! Whatever a machine file says, the compiler answers: a model, or at least one diagnostic, and never a panic.
 
 use super::{CONTROLLERS, TRUNNION, Texts};
+use mach_runtime::render::{Style, render};
 use machc::compile::compile;
-use machc::diagnostic::{Style, render};
 use std::collections::BTreeMap;
 
 /// A token of the whole file in place of, or beside, another: as text that the file already has.

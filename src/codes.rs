@@ -1,12 +1,10 @@
-//! What a diagnostic is, and the list of every code that machc knows.
-
-pub use mach_runtime::diagnostic::{Code, Diagnostic, Label, Place, Severity, Suggestion};
-pub use mach_runtime::render::{Style, render};
+//! The list of every code that machc knows.
 
 use crate::check;
 use crate::derive::prove;
 use crate::emit::c;
 use crate::model::{arithmetic, describe, dh, evaluate, family, field, function, library, load, measured, parameter};
+use mach_runtime::diagnostic::Code;
 
 /// The codes of the model and of the checks; those of the syntax are listed there.
 static CODES: [&Code; 47] = [
@@ -60,7 +58,7 @@ static CODES: [&Code; 47] = [
 ];
 
 /// Every code that machc knows, in the order of their ids.
-pub fn codes() -> Vec<&'static Code> {
+pub fn all() -> Vec<&'static Code> {
     let lists: [&[&Code]; 6] = [
         &crate::syntax::parse::CODES,
         &CODES,
@@ -74,34 +72,23 @@ pub fn codes() -> Vec<&'static Code> {
     codes
 }
 
-/// The code of this id, in any case.
-pub fn find(id: &str) -> Option<&'static Code> {
-    codes().into_iter().find(|code| code.id.eq_ignore_ascii_case(id))
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{codes, find};
+    use super::all;
 
     #[test]
     fn no_two_codes_have_the_same_id() {
-        for pair in codes().windows(2) {
+        for pair in all().windows(2) {
             assert!(pair[0].id < pair[1].id, "{} stands for two things", pair[0].id);
         }
     }
 
     #[test]
     fn every_code_explains_itself_on_one_screen() {
-        for code in codes() {
+        for code in all() {
             assert!(!code.title.is_empty() && !code.title.ends_with('.'), "{}", code.id);
             assert!(code.explanation.len() > 40, "{}", code.id);
             assert!(code.explanation.lines().count() <= 24, "{} does not fit a screen", code.id);
         }
-    }
-
-    #[test]
-    fn an_id_is_found_in_any_case() {
-        assert_eq!(find("e0204").map(|code| code.id), Some("E0204"));
-        assert_eq!(find("E9999"), None);
     }
 }
