@@ -6,7 +6,7 @@ use clap::ValueEnum;
 use mach_runtime::cl::{Reader, ReaderOptions, quote};
 use mach_runtime::diagnostic::Diagnostic;
 use mach_runtime::machine::{Machine, ToolGeometry};
-use mach_runtime::nc::dialect::LengthUnit;
+use mach_runtime::unit::LengthUnit;
 
 use crate::files::{open, reopened, shown};
 use crate::outcome::Failure;

@@ -22,5 +22,6 @@ pub mod readback;
 pub mod render;
 pub mod rig;
 pub mod segment;
+pub mod unit;
 mod usual_decimal;
 pub mod vector;

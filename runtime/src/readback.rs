@@ -6,7 +6,8 @@
 
 use crate::decimal::Decimal;
 use crate::machine::{Axis, Motion};
-use crate::nc::dialect::{Dialect, LengthUnit};
+use crate::nc::dialect::Dialect;
+use crate::unit::LengthUnit;
 use crate::usual_decimal::usual_decimal;
 use std::cmp::Reverse;
 use std::fmt;
@@ -251,9 +252,9 @@ fn begins(byte: u8, axes: &[AxisWord], comment: &[u8]) -> Begins {
 
 /// What a word's unit is in millimetres or degrees.
 fn millimetres_or_degrees(motion: Motion, units: LengthUnit) -> f64 {
-    match (motion, units) {
-        (Motion::Linear, LengthUnit::Inch) => 25.4,
-        _ => 1.0,
+    match motion {
+        Motion::Linear => units.mm(),
+        Motion::Rotary => 1.0,
     }
 }
 

@@ -8,7 +8,8 @@ use crate::model::quantity::readable;
 use crate::model::source::Located;
 use crate::syntax::tree::ControllerStatement;
 use mach_runtime::machine::{Axis, Motion, Written};
-use mach_runtime::nc::dialect::{LengthUnit, Word};
+use mach_runtime::nc::dialect::Word;
+use mach_runtime::unit::LengthUnit;
 
 /// A word that cannot print every position of its axis.
 pub(crate) static NARROW: Code = Code {
@@ -69,10 +70,7 @@ fn greatest_written(axis: &Axis, word: &Word, units: LengthUnit) -> Option<f64> 
             [from_deg, from_deg + 360.0 - 1.0 / power_of_ten(word.picture.decimals)]
         }
         (Motion::Rotary, Written::Unwound) => [axis.travel.lower, axis.travel.upper],
-        (Motion::Linear, _) => {
-            let size_mm = if units == LengthUnit::Inch { 25.4 } else { 1.0 };
-            [axis.travel.lower, axis.travel.upper].map(|end_mm| (end_mm - axis.zero) / size_mm)
-        }
+        (Motion::Linear, _) => [axis.travel.lower, axis.travel.upper].map(|end_mm| (end_mm - axis.zero) / units.mm()),
     };
     Some(lower.abs().max(upper.abs())).filter(|greatest| greatest.is_finite())
 }

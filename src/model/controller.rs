@@ -13,7 +13,8 @@ use crate::syntax::tree::{ControllerStatement, Expression, ExpressionKind, Span,
 use lowering::Lowering;
 use mach_runtime::diagnostic::{Code, Diagnostic, Place};
 use mach_runtime::machine::Motion;
-use mach_runtime::nc::dialect::{Codes, Dialect, LengthUnit, Sequence};
+use mach_runtime::nc::dialect::{Codes, Dialect, Sequence};
+use mach_runtime::unit::LengthUnit;
 use std::collections::BTreeMap;
 
 /// Everything that can be wrong with a controller.

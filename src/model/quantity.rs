@@ -1,6 +1,7 @@
 //! Dimensions, units and values of expressions. Base units: millimetre, degree, minute.
 
 use crate::syntax::tree::Unit;
+use mach_runtime::unit::LengthUnit;
 use nalgebra::Vector3;
 
 /// Exponents of length, angle and time. All zero: a plain number.
@@ -102,7 +103,7 @@ static UNITS: [UnitRow; 16] = [
     row(Unit::Millimetre, Dimension::LENGTH, 1.0),
     row(Unit::Micrometre, Dimension::LENGTH, 1e-3),
     row(Unit::Metre, Dimension::LENGTH, 1e3),
-    row(Unit::Inch, Dimension::LENGTH, 25.4),
+    row(Unit::Inch, Dimension::LENGTH, LengthUnit::Inch.mm()),
     row(Unit::Degree, Dimension::ANGLE, 1.0),
     row(Unit::Radian, Dimension::ANGLE, DEG_PER_RAD),
     row(Unit::Milliradian, Dimension::ANGLE, DEG_PER_RAD * 1e-3),
@@ -111,7 +112,7 @@ static UNITS: [UnitRow; 16] = [
     row(Unit::MillimetrePerMinute, Dimension::SPEED, 1.0),
     row(Unit::MetrePerMinute, Dimension::SPEED, 1e3),
     row(Unit::MillimetrePerSecond, Dimension::SPEED, 60.0),
-    row(Unit::InchPerMinute, Dimension::SPEED, 25.4),
+    row(Unit::InchPerMinute, Dimension::SPEED, LengthUnit::Inch.mm()),
     row(Unit::DegreePerMinute, Dimension::TURNING, 1.0),
     row(Unit::DegreePerSecond, Dimension::TURNING, 60.0),
     row(Unit::RevolutionPerMinute, Dimension::TURNING, 360.0),

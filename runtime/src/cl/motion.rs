@@ -7,8 +7,8 @@ use crate::cl::once::Once;
 use crate::cl::pose::{FARTHEST_MM, UNIT_TOLERANCE, checked};
 use crate::cl::record::Record;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::nc::dialect::LengthUnit;
 use crate::place::{Frame, Placement};
+use crate::unit::LengthUnit;
 use crate::vector::{Vec3, add, norm, scale};
 
 /// An MSYS that spans no frame.
@@ -63,7 +63,7 @@ pub(super) struct Motion {
 impl Motion {
     pub(super) fn new(unit: LengthUnit, chord_tolerance_mm: f64) -> Self {
         Self {
-            unit_mm: unit_mm(unit),
+            unit_mm: unit.mm(),
             feed: None,
             rapid: false,
             chord_tolerance_mm,
@@ -166,13 +166,5 @@ impl Motion {
         })?;
         self.placement.set(frame);
         Ok(())
-    }
-}
-
-/// Millimetres in a unit.
-pub(super) fn unit_mm(unit: LengthUnit) -> f64 {
-    match unit {
-        LengthUnit::Millimetre => 1.0,
-        LengthUnit::Inch => 25.4,
     }
 }

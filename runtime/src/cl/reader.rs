@@ -4,7 +4,7 @@ use std::io::{self, Read};
 
 use crate::cl::arc::ArcPoints;
 use crate::cl::event::{Command, Point};
-use crate::cl::motion::{Motion, Moved, unit_mm};
+use crate::cl::motion::{Motion, Moved};
 use crate::cl::plain::plain_goto;
 use crate::cl::record::{Outcome, Record};
 use crate::cl::setting::{self, FeedUnit, MIXED_UNITS};
@@ -13,7 +13,7 @@ use crate::cl::told::Told;
 use crate::cl::words::{Meaning, meaning};
 use crate::diagnostic::{Code, Diagnostic, Place};
 use crate::machine::{Machine, Strictness};
-use crate::nc::dialect::LengthUnit;
+use crate::unit::LengthUnit;
 
 /// The file ends too early.
 pub(super) static CUT_OPERATION: Code = Code {
@@ -270,7 +270,7 @@ impl<R: Read> Reader<R> {
 
     fn units(&mut self) -> Result<(), Diagnostic> {
         let unit = setting::units(&self.record)?;
-        self.motion.unit_mm = unit_mm(unit);
+        self.motion.unit_mm = unit.mm();
         self.feed_unit = FeedUnit::per_minute(unit);
         self.has_units = true;
         Ok(())

@@ -6,7 +6,7 @@ use crate::cl::pose::out_of_range;
 use crate::cl::record::Record;
 use crate::cl::words::closest;
 use crate::diagnostic::{Code, Diagnostic, Suggestion};
-use crate::nc::dialect::LengthUnit;
+use crate::unit::LengthUnit;
 
 /// The greatest feed, spindle speed and dwell that are believed.
 const GREATEST_SETTING: f64 = 1e7;
@@ -70,8 +70,8 @@ impl FeedUnit {
         match self {
             Self::MmPerMinute => Feed::PerMinute(value),
             Self::MmPerRevolution => Feed::PerRevolution(value),
-            Self::InchPerMinute => Feed::PerMinute(25.4 * value),
-            Self::InchPerRevolution => Feed::PerRevolution(25.4 * value),
+            Self::InchPerMinute => Feed::PerMinute(LengthUnit::Inch.mm() * value),
+            Self::InchPerRevolution => Feed::PerRevolution(LengthUnit::Inch.mm() * value),
         }
     }
 }

@@ -1,10 +1,11 @@
 //! The word of one axis: from a joint value to the whole units that are printed.
 
-use super::dialect::{LengthUnit, Picture, Word};
+use super::dialect::{Picture, Word};
 use super::printed_word::PrintedWord;
 use super::rounding::Rounding;
 use super::write_error::WriteError;
 use crate::machine::{Axis, Motion, Retract, Written};
+use crate::unit::LengthUnit;
 
 /// How an axis' joint value becomes the number in its word.
 #[derive(Debug)]
@@ -47,9 +48,9 @@ impl Turn {
 impl AxisWord {
     /// The word of an axis, in a program in these units.
     pub fn new(word: &Word, axis: &Axis, units: LengthUnit) -> Self {
-        let scale = match (axis.motion, units) {
-            (Motion::Linear, LengthUnit::Inch) => 1.0 / 25.4,
-            _ => 1.0,
+        let scale = match axis.motion {
+            Motion::Linear => 1.0 / units.mm(),
+            Motion::Rotary => 1.0,
         };
         let turn = match axis.written {
             Written::Wrapped { from_deg } if axis.motion == Motion::Rotary => Some(Turn::new(from_deg, &word.picture)),

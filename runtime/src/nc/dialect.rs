@@ -1,13 +1,6 @@
 //! A controller's dialect as tables: number pictures, words, modal groups, blocks.
 
-/// The unit of lengths, in the CL data or in the program.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum LengthUnit {
-    /// Millimetres.
-    Millimetre,
-    /// Inches of 25.4 mm.
-    Inch,
-}
+use crate::unit::LengthUnit;
 
 /// How a number is printed, from a picture such as `####.###`, `###0[.###]`, `+##0.000`.
 ///

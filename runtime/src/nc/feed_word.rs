@@ -1,6 +1,6 @@
 //! The feed word, and the code of its kind.
 
-use super::dialect::{Dialect, LengthUnit, Word};
+use super::dialect::{Dialect, Word};
 use super::line::Line;
 use super::write_error::WriteError;
 use crate::cl::event::Feed;
@@ -46,10 +46,7 @@ impl FeedState {
         if mode == FeedMode::PerRevolution && dialect.codes.per_revolution.is_none() {
             return Err(WriteError::NoFeedPerRevolution);
         }
-        let value = match dialect.units {
-            LengthUnit::Millimetre => metric,
-            LengthUnit::Inch => metric / 25.4,
-        };
+        let value = metric / dialect.units.mm();
         let word = mode.word(dialect);
         let units = word.picture.units(value).ok_or_else(|| WriteError::too_large(word, value))?;
         if units <= 0 {

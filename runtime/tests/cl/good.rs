@@ -4,7 +4,7 @@ use crate::read::{Read, read, read_with};
 use mach_runtime::cl::ReaderOptions;
 use mach_runtime::cl::event::{Approach, Command, Coolant, Feed, Spindle};
 use mach_runtime::machine::Strictness;
-use mach_runtime::nc::dialect::LengthUnit;
+use mach_runtime::unit::LengthUnit;
 
 fn clean(text: &str) -> Read {
     let read = read(text);

@@ -2,9 +2,10 @@
 
 use crate::table::{axes, dialect};
 use mach_runtime::cl::event::{Approach, Feed};
-use mach_runtime::nc::dialect::{Dialect, LengthUnit};
+use mach_runtime::nc::dialect::Dialect;
 use mach_runtime::nc::writer::Writer;
 use mach_runtime::readback::{Mistake, ReadBack, ReadError};
+use mach_runtime::unit::LengthUnit;
 
 fn read(reader: &mut ReadBack, text: &str) -> Result<[f64; 5], ReadError> {
     let (_, joints) = reader.read(text.as_bytes(), 0..text.len())?;

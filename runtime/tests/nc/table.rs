@@ -1,9 +1,8 @@
 //! A five-axis table and a Fanuc-like dialect, as tables.
 
 use mach_runtime::machine::{Axis, Motion, Rule, Travel, Written};
-use mach_runtime::nc::dialect::{
-    Block, Codes, Dialect, LengthUnit, Line, Picture, Piece, Point, Sequence, Trigger, Value, Word,
-};
+use mach_runtime::nc::dialect::{Block, Codes, Dialect, Line, Picture, Piece, Point, Sequence, Trigger, Value, Word};
+use mach_runtime::unit::LengthUnit;
 
 pub(crate) fn axis(name: &str, motion: Motion) -> Axis {
     Axis {

@@ -2,9 +2,10 @@
 
 use crate::table::{axes, dialect, with_approach};
 use mach_runtime::cl::event::{Approach, Feed};
-use mach_runtime::nc::dialect::{Block, Dialect, LengthUnit, Picture, Point, Trigger};
+use mach_runtime::nc::dialect::{Block, Dialect, Picture, Point, Trigger};
 use mach_runtime::nc::write_error::WriteError;
 use mach_runtime::nc::writer::{Values, Writer};
+use mach_runtime::unit::LengthUnit;
 
 const FEED: Approach = Approach::Feed(Some(Feed::PerMinute(500.0)));
 

@@ -5,9 +5,8 @@ use mach_runtime::kinematics::Pole;
 use mach_runtime::machine::{
     Axis, BranchPolicy, Chain, Joint, Machine, Motion, Preference, Rule, Strictness, ToolGeometry, Travel, Written,
 };
-use mach_runtime::nc::dialect::{
-    Block, Codes, Dialect, LengthUnit, Line, Picture, Piece, Point, Sequence, Trigger, Value, Word,
-};
+use mach_runtime::nc::dialect::{Block, Codes, Dialect, Line, Picture, Piece, Point, Sequence, Trigger, Value, Word};
+use mach_runtime::unit::LengthUnit;
 
 /// A value that can be written down as a Rust expression.
 pub(super) trait Literal {

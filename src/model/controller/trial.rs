@@ -5,9 +5,10 @@ use crate::syntax::tree::{ControllerStatement, Span};
 use mach_runtime::cl::event::{Approach, Feed};
 use mach_runtime::diagnostic::Code;
 use mach_runtime::machine::{Axis, Motion, Rule, Travel, Written};
-use mach_runtime::nc::dialect::{Dialect, LengthUnit, Trigger};
+use mach_runtime::nc::dialect::{Dialect, Trigger};
 use mach_runtime::nc::writer::Writer;
 use mach_runtime::readback::ReadBack;
+use mach_runtime::unit::LengthUnit;
 
 /// A motion block that cannot be read back.
 pub(super) static UNREADABLE_MOTION: Code = Code {

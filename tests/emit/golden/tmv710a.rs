@@ -11,6 +11,7 @@ use mach_runtime::kinematics::*;
 use mach_runtime::machine::*;
 use mach_runtime::nc::dialect::*;
 use mach_runtime::rig::Rig;
+use mach_runtime::unit::*;
 use mach_runtime::vector::Vec3;
 
 /// The kinematics of tmv710a.
