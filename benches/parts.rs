@@ -20,9 +20,10 @@ use mach_runtime::cl::{Next, Reader, ReaderOptions};
 use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock, Rate, SolutionBlock, rates};
 use mach_runtime::machine::ToolGeometry;
 use mach_runtime::segment::Segments;
-use machc::compile::{Compiled, Sources, compile};
+use machc::compile::{Compiled, compile};
 use machc::emit::tables;
 use machc::plan::Interpreter;
+use machc::sources::Sources;
 
 const MACHINES: [&str; 4] = ["tmv710a", "dmu50ev", "dmu80_monoblock", "endura900"];
 const TOOL: ToolGeometry = ToolGeometry::of_length(150.0);

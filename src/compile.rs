@@ -15,23 +15,7 @@ use crate::model::origin::{Origins, origins};
 use crate::model::source::SourceMap;
 use crate::model::{family, library};
 use crate::plan::Plan;
-
-/// Where machine files come from.
-pub trait Sources {
-    /// The text of a file.
-    ///
-    /// # Errors
-    ///
-    /// Why it cannot be read, in a few words for people (`no such file`).
-    fn read(&self, path: &str) -> Result<String, String>;
-}
-
-/// Any function that knows the texts.
-impl<F: Fn(&str) -> Result<String, String>> Sources for F {
-    fn read(&self, path: &str) -> Result<String, String> {
-        self(path)
-    }
-}
+use crate::sources::Sources;
 
 /// What compiling a machine gives.
 #[derive(Debug)]

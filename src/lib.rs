@@ -26,6 +26,7 @@ pub mod numeric;
 pub mod plan;
 mod rig;
 pub mod snapshot;
+pub mod sources;
 pub mod syntax;
 
 pub use mach_runtime::diagnostic;

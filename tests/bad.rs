@@ -4,7 +4,8 @@
 
 use mach_runtime::render::{Style, render};
 use machc::codes;
-use machc::compile::{Sources, compile};
+use machc::compile::compile;
+use machc::sources::Sources;
 use std::fs;
 use std::path::{Path, PathBuf};
 

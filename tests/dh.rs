@@ -3,8 +3,9 @@
 use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock};
 use mach_runtime::machine::{Motion, ToolGeometry};
 use mach_runtime::vector::{angle_rad, norm, sub};
-use machc::compile::{Compiled, Sources, compile};
+use machc::compile::{Compiled, compile};
 use machc::plan::Interpreter;
+use machc::sources::Sources;
 use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 

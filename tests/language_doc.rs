@@ -1,6 +1,7 @@
 //! Every example of the language's reference is what it says.
 
-use machc::compile::{Sources, compile};
+use machc::compile::compile;
+use machc::sources::Sources;
 use machc::syntax::parse::parse;
 use machc::syntax::print::print;
 use machc::syntax::tree::Trigger;

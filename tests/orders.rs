@@ -1,6 +1,7 @@
 //! Every order of three linear and two rotary axes, with every place of the bed: solved, or refused by name.
 
-use machc::compile::{Compiled, Sources, compile};
+use machc::compile::{Compiled, compile};
+use machc::sources::Sources;
 use std::fmt::Write;
 
 #[path = "common/closing.rs"]

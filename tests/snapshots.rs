@@ -3,8 +3,8 @@
 //! A snapshot is `snapshots/MACHINE@PROGRAM.snap`: the machine file's text, what was told, the certificate, the NC text.
 //! `machc test` compares the same. `machc review` accepts, and so does `cargo insta review`. Read what you accept.
 
-use machc::compile::Sources;
 use machc::snapshot::content::{Program, content};
+use machc::sources::Sources;
 use std::collections::BTreeSet;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};

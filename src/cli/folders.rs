@@ -6,7 +6,7 @@ use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
 
 use mach_command::files::{reason, text};
-use machc::compile::Sources;
+use machc::sources::Sources;
 
 use super::builtin;
 

@@ -1,8 +1,8 @@
 //! Reading: the entry file and everything it uses, each once.
 
 use super::source::{Located, Location, SourceId, SourceMap};
-use crate::compile::Sources;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::sources::Sources;
 use crate::syntax::tree::{File, Item, Text};
 
 /// A file that cannot be read.

@@ -1,7 +1,8 @@
 //! Machine files, compiled.
 
 use mach_runtime::render::{Style, render};
-use machc::compile::{Compiled, Sources, compile};
+use machc::compile::{Compiled, compile};
+use machc::sources::Sources;
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -2,7 +2,7 @@
 
 use crate::machine;
 use mach_runtime::vector::Vec3;
-use machc::compile::Sources;
+use machc::sources::Sources;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::fs;

@@ -158,7 +158,7 @@ fn joints_that_are_no_numbers_are_refused() {
 #[test]
 fn an_angle_that_linuxcnc_has_not_is_refused() {
     struct Renamed;
-    impl machc::compile::Sources for Renamed {
+    impl machc::sources::Sources for Renamed {
         fn read(&self, _: &str) -> Result<String, String> {
             Ok("machine renamed {\n    chain w C1 b X Y Z t\n    linear X along +x\n    linear Y along +y\n    \
                 linear Z along +z\n    rotary C1 about +x\n    tool along +z\n}\n"

@@ -31,7 +31,7 @@ machine awkward "names that are taken: */ \" ///" {
 
 struct Awkward;
 
-impl machc::compile::Sources for Awkward {
+impl machc::sources::Sources for Awkward {
     fn read(&self, _: &str) -> Result<String, String> {
         Ok(AWKWARD.replace("\\\"", "'"))
     }

@@ -4,8 +4,9 @@ use mach_runtime::machine::{Motion, Preference, Strictness, Travel, Written};
 mod mutations;
 
 use mach_runtime::render::{Style, render};
-use machc::compile::{Sources, compile};
+use machc::compile::compile;
 use machc::model::machine::Model;
+use machc::sources::Sources;
 use nalgebra::Vector3;
 use std::collections::BTreeMap;
 
