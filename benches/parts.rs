@@ -21,7 +21,7 @@ use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock, Rate, SolutionBlock
 use mach_runtime::machine::ToolGeometry;
 use mach_runtime::segment::Segments;
 use machc::compile::{Compiled, compile};
-use machc::emit::tables;
+use machc::model::tables;
 use machc::plan::Interpreter;
 use machc::sources::Sources;
 

@@ -1,7 +1,7 @@
 //! A compiled machine as one that can be posted for.
 
 use crate::compile::Compiled;
-use crate::emit::tables;
+use crate::model::tables;
 use crate::plan::Interpreter;
 use mach_runtime::rig::Rig;
 

@@ -5,8 +5,8 @@ use mach_runtime::kinematics::{Kinematics, LANES, Lane, PoseBlock, Rate, rates};
 use mach_runtime::machine::{Axis, Machine, Motion, Rule, ToolGeometry};
 use mach_runtime::vector::{Vec3, angle_rad, norm, scale, sub};
 use machc::derive::derive;
-use machc::emit::tables;
 use machc::model::machine::Model;
+use machc::model::tables;
 use machc::plan::Interpreter;
 use proptest::prelude::*;
 

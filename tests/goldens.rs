@@ -10,7 +10,7 @@ use mach_runtime::diagnostic::Severity;
 use mach_runtime::kinematics::Kinematics;
 use mach_runtime::path::PathSolver;
 use machc::compile::Compiled;
-use machc::emit::tables;
+use machc::model::tables;
 use machc::plan::Interpreter;
 use std::fs;
 

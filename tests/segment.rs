@@ -4,7 +4,7 @@ use mach_runtime::kinematics::{LANES, Lane};
 use mach_runtime::machine::{Machine, Motion, Rule, ToolGeometry};
 use mach_runtime::segment::Segments;
 use mach_runtime::vector::{Vec3, add, dot, norm, scale, sub};
-use machc::emit::tables;
+use machc::model::tables;
 use proptest::prelude::*;
 
 #[path = "common/random.rs"]

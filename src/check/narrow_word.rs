@@ -1,11 +1,11 @@
 //! A word too narrow for the travel of its axis. Looks at the finished tables: it takes the controller's pictures.
 
 use crate::diagnostic::{Code, Diagnostic};
-use crate::emit::tables;
 use crate::model::draft::Draft;
 use crate::model::machine::Model;
 use crate::model::quantity::readable;
 use crate::model::source::Located;
+use crate::model::tables;
 use crate::syntax::tree::ControllerStatement;
 use mach_runtime::machine::{Axis, Motion, Written};
 use mach_runtime::nc::dialect::Word;

@@ -1,10 +1,10 @@
 //! A controller that prints `{retract}` for a machine without an end to retract to. Looks at the finished tables.
 
 use crate::diagnostic::{Code, Diagnostic, Severity};
-use crate::emit::tables;
 use crate::model::draft::Draft;
 use crate::model::machine::Model;
 use crate::model::source::{Located, Location};
+use crate::model::tables;
 use crate::syntax::tree::{ControllerStatement, TemplatePiece};
 use mach_runtime::machine::Retract;
 

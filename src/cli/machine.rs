@@ -10,9 +10,9 @@ use mach_runtime::rig::Rig;
 use machc::compile::{Compiled, compile};
 use machc::derive::prove::Proof;
 use machc::diagnostic::Diagnostic;
-use machc::emit::tables;
 use machc::model::machine::Model;
 use machc::model::origin::Origins;
+use machc::model::tables;
 use machc::plan::{Interpreter, Plan};
 
 use super::folders::{Folders, generated_name};

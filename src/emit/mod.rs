@@ -1,4 +1,4 @@
-//! What is made of a machine: the runtime's tables, equations for people, and source code.
+//! What is made of a machine: equations for people, and source code.
 
 pub mod c;
 pub mod comment;
@@ -14,5 +14,4 @@ pub mod names;
 pub mod package;
 pub mod rust;
 pub mod spelling;
-pub mod tables;
 mod transformation;

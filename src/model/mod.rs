@@ -1,7 +1,7 @@
 //! The machine, with units resolved and names turned into ids.
 //!
 //! `load` reads the files, `library` and `family` find out what is said of the machine, `describe` evaluates it into a
-//! `draft`, and `build` makes a checked draft the model.
+//! `draft`, `build` makes a checked draft the model, and `tables` are what the runtime has of it.
 
 pub(crate) mod arithmetic;
 pub(crate) mod build;
@@ -27,3 +27,4 @@ mod scalar;
 pub mod source;
 pub(crate) mod standing;
 mod subject;
+pub mod tables;

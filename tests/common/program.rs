@@ -4,7 +4,7 @@ use crate::machine::root;
 use mach_runtime::kinematics::Kinematics;
 use mach_runtime::rig::{Posted, Rig};
 use machc::compile::Compiled;
-use machc::emit::tables;
+use machc::model::tables;
 use machc::plan::Interpreter;
 use std::fs;
 use std::num::NonZeroUsize;

@@ -6,8 +6,8 @@ mod literal;
 
 use super::function::{forward, forward_actual, given_and_solved, inverse, position};
 use super::listing::Function;
-use super::tables;
 use crate::compile::Compiled;
+use crate::model::tables;
 use code::Code;
 use layout::laid_out;
 use literal::Literal;
