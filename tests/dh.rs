@@ -100,7 +100,7 @@ fn a_table_and_directions_give_the_same_forward_chain() {
             let text = format!("machine m {{ {text} }}");
             machine::compiled("m.mach", &Text(&text))
         });
-        assert!(machc::derive::family::family(&compiled[0].model).contains(family));
+        assert!(machc::model::class::class(&compiled[0].model).contains(family));
         let mut poses = compiled.iter().map(|compiled| forward(compiled, 120.0));
         let (a, b) = (poses.next().expect("two"), poses.next().expect("two"));
         for lane in 0..LANES {

@@ -8,7 +8,6 @@
 
 mod actual;
 mod chain;
-pub mod family;
 mod forward;
 mod orientation;
 mod polar;

@@ -1,6 +1,6 @@
 //! The proof that comes with every machine: seeded random poses through inverse and forward.
 
-use super::family;
+use crate::model::class;
 use crate::model::machine::{Axis, Model};
 use crate::plan::{Interpreter, Plan};
 use mach_runtime::diagnostic::{Code, Diagnostic};
@@ -49,11 +49,11 @@ impl Proof {
 /// Where the position decides the only rotary, nothing is left to tilt the tool: if the two are not quite along each other,
 /// the tool of one solution leans as much to one side as that of the other to the other side.
 fn wobble_rad(model: &Model) -> f64 {
-    let lean = |rotary: family::Rotary| {
-        let (n, t) = (rotary.direction, family::tool(model));
+    let lean = |rotary: class::Rotary| {
+        let (n, t) = (rotary.direction, class::tool(model));
         libm::atan2(n.cross(&t).norm(), n.dot(&t).abs())
     };
-    2.0 * family::polar(model).map_or(0.0, lean)
+    2.0 * class::polar(model).map_or(0.0, lean)
 }
 
 /// Takes joints at random (but for the locked ones), their pose, and every candidate for it back to a pose.

@@ -1,12 +1,12 @@
 //! The data sheet of a machine: what `machc show` prints.
 
-use super::equations::number;
 use super::measured;
 use super::spelling::Spelling;
 use super::transformation::{self, Inverse};
-use crate::derive::family::{self, Rotary};
 use crate::derive::prove::Proof;
+use crate::model::class::{self, Rotary};
 use crate::model::machine::{Axis, Model};
+use crate::model::number::number;
 use crate::model::standing;
 use crate::plan::{Interpreter, Plan};
 use mach_runtime::kinematics::{Kinematics, LANES, Miss, Outcome, PoseBlock, SolutionBlock, Tolerances};
@@ -33,7 +33,7 @@ pub fn data_sheet(model: &Model, plan: &Plan, proof: &Proof) -> String {
 
 fn heading(model: &Model) -> String {
     let title = model.title.as_ref().map(|title| format!("  {title}")).unwrap_or_default();
-    format!("{}{title}\n\nchain   {}\nfamily  {}\n", model.name, chain(model), family::family(model))
+    format!("{}{title}\n\nchain   {}\nfamily  {}\n", model.name, chain(model), class::class(model))
 }
 
 fn section(sheet: &mut String, title: &str, lines: Vec<String>) {
@@ -110,14 +110,14 @@ pub(super) fn reach(model: &Model, plan: &Plan) -> Vec<String> {
     let stands = |axis: &Axis| format!("{} at {} deg", axis.name, number(standing::value(axis)));
     let surplus: Vec<String> = model.axes.iter().filter(turns).map(stands).collect();
     let standing = format!("with {}:", surplus.join(" and "));
-    let lines = if let Some(rotary) = family::polar(model) { polar(model, plan, &rotary) } else { cone(model) };
+    let lines = if let Some(rotary) = class::polar(model) { polar(model, plan, &rotary) } else { cone(model) };
     (!surplus.is_empty()).then_some(standing).into_iter().chain(lines).collect()
 }
 
 /// The tips that X Z C reaches.
 fn polar(model: &Model, plan: &Plan, rotary: &Rotary) -> Vec<String> {
     let (axis, mut poses) = (&model.axes[rotary.axis], PoseBlock::ZERO);
-    poses.set(0, model.line(rotary.axis).point_mm.into(), family::tool(model).into());
+    poses.set(0, model.line(rotary.axis).point_mm.into(), class::tool(model).into());
     let mut machine = Interpreter::new(plan);
     let mut solutions = SolutionBlock::of(&machine);
     let surplus = vec![[0.0; LANES]; machine.surplus_axes().len()];
@@ -127,7 +127,7 @@ fn polar(model: &Model, plan: &Plan, rotary: &Rotary) -> Vec<String> {
         Outcome::Missed(Miss::InsideDeadRadius { gap_mm, .. }) => (gap_mm * 1e9).round() / 1e9,
         _ => 0.0,
     };
-    let only = format!("tool axis {} only", vector(&family::tool(model)));
+    let only = format!("tool axis {} only", vector(&class::tool(model)));
     let at_centre = match (dead_mm == 0.0, rotary.carries_workpiece) {
         (true, _) => format!("singular at the axis of {0}: {0} is free", axis.name),
         (false, true) => format!("dead radius {} mm about the axis of {}", number(dead_mm), axis.name),
@@ -138,8 +138,8 @@ fn polar(model: &Model, plan: &Plan, rotary: &Rotary) -> Vec<String> {
 
 /// The directions of the tool.
 fn cone(model: &Model) -> Vec<String> {
-    let Some(reach) = family::reach(model) else {
-        return vec![format!("tool axis {} only", vector(&family::tool(model)))];
+    let Some(reach) = class::reach(model) else {
+        return vec![format!("tool axis {} only", vector(&class::tool(model)))];
     };
     let degrees = |angle_rad: f64| number((angle_rad.to_degrees() * 1e9).round() / 1e9);
     let (least, greatest) = (degrees(reach.least_rad), degrees(reach.greatest_rad));
@@ -148,11 +148,11 @@ fn cone(model: &Model) -> Vec<String> {
         (a, b) if a == b => format!("directions at {a} deg from {}", vector(&reach.about)),
         _ => format!("directions from {least} to {greatest} deg from {}", vector(&reach.about)),
     }];
-    if let [one, other] = family::linears(model)[..] {
+    if let [one, other] = class::linears(model)[..] {
         lines.push(format!("tips in the plane of {one} and {other} only"));
     }
-    let first = family::rotaries(model)[0].axis;
-    let poles = family::poles(model).into_iter();
+    let first = class::rotaries(model)[0].axis;
+    let poles = class::poles(model).into_iter();
     lines.extend(poles.map(|pole| format!("singular at {}: {} is free", vector(&pole), model.axes[first].name)));
     lines
 }

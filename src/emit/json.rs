@@ -4,7 +4,7 @@
 //! are `[x, y, z]` in the machine's frame with every axis at zero. Axes are referred to by their names. Of the controller,
 //! its words and codes are there, not the texts of its blocks.
 
-use crate::derive::family;
+use crate::model::class;
 use crate::model::errors::LocationError;
 use crate::model::machine::{Axis, Model};
 use mach_runtime::error_table::{Component, ErrorTable};
@@ -24,7 +24,7 @@ pub fn machine(model: &Model) -> String {
         form: FORM,
         name: &model.name,
         title: model.title.as_deref(),
-        family: family::family(model),
+        family: class::class(model),
         parameters: model.parameters.iter().map(|(name, value)| (name.clone(), json!(value))).collect(),
         chain: chain(model),
         axes: model.axes.iter().map(axis).collect(),

@@ -4,7 +4,7 @@ use super::data_sheet;
 use super::measured;
 use super::spelling::Spelling;
 use super::transformation::{self, Inverse};
-use crate::derive::family;
+use crate::model::class;
 use crate::model::machine::Model;
 use crate::plan::Plan;
 use std::fmt::Write;
@@ -18,7 +18,7 @@ every axis at zero. L is the tool's length. Lengths are in millimetres; atan2(y,
 /// The whole page.
 pub fn equations(model: &Model, plan: &Plan) -> String {
     let title = model.title.as_ref().map(|title| format!(": {title}")).unwrap_or_default();
-    let mut page = format!("# {}{title}\n\n`{}`, {}\n", model.name, data_sheet::chain(model), family::family(model));
+    let mut page = format!("# {}{title}\n\n`{}`, {}\n", model.name, data_sheet::chain(model), class::class(model));
     list(&mut page, "Axes", model.axes.iter().map(data_sheet::axis));
     errors(&mut page, model);
     list(&mut page, "Constants", data_sheet::constants(model));

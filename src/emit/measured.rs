@@ -1,9 +1,9 @@
 //! The measured errors of a machine, as lines of its data sheet.
 
 use super::data_sheet::vector;
-use super::equations::number;
 use crate::model::errors::LocationError;
 use crate::model::machine::Model;
+use crate::model::number::number;
 use mach_runtime::error_table::{Component, ErrorTable};
 use mach_runtime::machine::Motion;
 

@@ -1,6 +1,6 @@
 //! How the parts of an equation are spelled: for a terminal, or in LaTeX.
 
-use super::equations::number;
+use crate::model::number::number;
 
 /// A way to spell equations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

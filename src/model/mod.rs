@@ -5,6 +5,7 @@
 
 pub(crate) mod arithmetic;
 pub(crate) mod build;
+pub mod class;
 pub mod controller;
 pub(crate) mod describe;
 pub(crate) mod dh;
@@ -20,6 +21,7 @@ pub(crate) mod library;
 pub(crate) mod load;
 pub mod machine;
 pub(crate) mod measured;
+pub mod number;
 pub mod origin;
 pub(crate) mod parameter;
 pub(crate) mod quantity;

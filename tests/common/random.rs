@@ -1,7 +1,7 @@
 //! Machines at random.
 
 use mach_runtime::machine::{BranchPolicy, Motion, Rule, Strictness, Travel, Written};
-use machc::derive::family;
+use machc::model::class;
 use machc::model::errors::Errors;
 use machc::model::machine::{Axis, Joint, Model, Tool};
 use nalgebra::Vector3;
@@ -93,8 +93,8 @@ pub(crate) fn line_angle(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
 /// the others stand.
 pub(crate) fn has_its_freedoms(model: &Model) -> bool {
     let [x, y, z] = [0, 1, 2].map(|i| model.axes[i].direction);
-    let mut lines: Vec<_> = family::rotaries(model).iter().map(|rotary| rotary.direction).collect();
-    lines.push(family::tool(model));
+    let mut lines: Vec<_> = class::rotaries(model).iter().map(|rotary| rotary.direction).collect();
+    lines.push(class::tool(model));
     x.cross(&y).dot(&z).abs() > 0.3 && lines.windows(2).all(|pair| line_angle(&pair[0], &pair[1]) > 0.3)
 }
 

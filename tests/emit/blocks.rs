@@ -3,7 +3,7 @@
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, PoseBlock};
 use mach_runtime::machine::{Motion, ToolGeometry};
 use machc::compile::Compiled;
-use machc::derive::family;
+use machc::model::class;
 use machc::plan::Interpreter;
 
 /// One block of questions.
@@ -41,7 +41,7 @@ pub(crate) fn blocks(compiled: &Compiled) -> Vec<Block> {
 
 /// Directions all over the sphere, the machine's axes among them exactly, next to them, and both ways.
 fn anywhere(compiled: &Compiled, number: usize) -> PoseBlock {
-    let mut exact: Vec<[f64; 3]> = family::poles(&compiled.model).into_iter().map(Into::into).collect();
+    let mut exact: Vec<[f64; 3]> = class::poles(&compiled.model).into_iter().map(Into::into).collect();
     let axes = compiled.model.axes.iter().map(|axis| axis.direction);
     exact.extend(axes.flat_map(|axis| [axis, -axis]).map(<[f64; 3]>::from));
     exact.extend([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [1e-9, 0.0, 1.0], [0.0, -1e-14, 1.0], [0.0, 0.0, 0.0]]);

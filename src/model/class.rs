@@ -1,7 +1,8 @@
 //! What the field calls such a machine.
 
-use crate::model::machine::{Joint, Model};
-use crate::model::standing;
+use super::machine::{Joint, Model};
+use super::number::number;
+use super::standing;
 use mach_runtime::machine::{Motion, Rule};
 use nalgebra::Vector3;
 use std::f64::consts::FRAC_PI_2;
@@ -60,8 +61,8 @@ pub fn polar(model: &Model) -> Option<Rotary> {
     (linears(model).len() == 2 && turns_about_tool).then_some(only)
 }
 
-/// The family in the field's words: `5 axes, table/table, orthogonal`.
-pub fn family(model: &Model) -> String {
+/// The class in the field's words: `5 axes, table/table, orthogonal`.
+pub fn class(model: &Model) -> String {
     let rotaries = rotaries(model);
     let side = |rotary: &Rotary| if rotary.carries_workpiece { "table" } else { "head" };
     let kind = match &rotaries[..] {
@@ -108,10 +109,7 @@ fn squareness(model: &Model, first: &Rotary, second: &Rotary) -> String {
     let is_square = |angle: f64| (angle - FRAC_PI_2).abs() < SAME_ANGLE_RAD;
     match (is_square(alpha), is_square(beta)) {
         (true, true) => "orthogonal".to_owned(),
-        _ => format!(
-            "nutating at {} deg",
-            crate::emit::equations::number(alpha.min(std::f64::consts::PI - alpha).to_degrees())
-        ),
+        _ => format!("nutating at {} deg", number(alpha.min(std::f64::consts::PI - alpha).to_degrees())),
     }
 }
 
