@@ -1,5 +1,6 @@
 //! From a controller's statements to the dialect that the runtime prints by.
 
+mod beside;
 mod block;
 mod lowering;
 mod motion;
@@ -18,7 +19,7 @@ use mach_runtime::unit::LengthUnit;
 use std::collections::BTreeMap;
 
 /// Everything that can be wrong with a controller.
-pub static CODES: [&Code; 11] = [
+pub static CODES: [&Code; 12] = [
     &picture::BAD_PICTURE,
     &word::UNKNOWN_FORMAT,
     &word::BAD_ADDRESS,
@@ -30,6 +31,7 @@ pub static CODES: [&Code; 11] = [
     &MODAL_TWICE,
     &lowering::UNPRINTABLE,
     &trial::UNREADABLE_MOTION,
+    &beside::RUNS_TOGETHER,
 ];
 
 /// A controller that says too little.

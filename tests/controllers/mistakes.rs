@@ -46,7 +46,7 @@ fn each_mistake_has_its_code_and_place() {
         ("T{tool:00}", "{units}", ("E0523", "{units}")),
         ("{tool:00}", "{toll}", ("E0524", "{toll}")),
         ("{tool:00}", "{speed}", ("E0525", "{speed}")),
-        ("{tool:00}", "{offset:00}", ("E0525", "{offset:00}")),
+        ("T{tool:00}", "{offset:00}", ("E0525", "{offset:00}")),
         ("\"G0 {axes}\"", "\"G0\"", ("E0526", "rapid")),
         ("\"G0 {axes}\"", "\"G0 {axes}\" \"{axes}\"", ("E0526", "rapid")),
         ("{axes} {feed}", "{axes}", ("E0526", "feed")),
@@ -74,6 +74,73 @@ fn each_mistake_has_its_code_and_place() {
         let diagnostics = changed(from, to);
         assert_eq!(marks(&diagnostics).first(), Some(&expected), "{to}: {diagnostics:#?}");
         assert!(marks(&diagnostics).iter().all(|mark| mark.0 == expected.0), "{to}: {diagnostics:#?}");
+    }
+}
+
+/// The marks of a controller whose tool change has this line.
+fn marks_in_tool(line: &str) -> Vec<(String, String)> {
+    let diagnostics = changed("\"T{tool:00} M6\"", &format!("\"{line}\""));
+    marks(&diagnostics).into_iter().map(|(code, mark)| (code.to_owned(), mark.to_owned())).collect()
+}
+
+#[test]
+fn what_a_placeholder_prints_is_read_alone() {
+    let motions = [
+        ("{axes} {feed}", "{X}5 {Y} {Z} {rotary} {feed}", "{X}"),
+        ("{axes} {feed}", "{axes} {feed}5", "{feed}"),
+        ("{axes} {feed}", "{axes}0 {feed}", "{axes}"),
+        ("{axes} {feed}", "{axes}.5 {feed}", "{axes}"),
+        ("{axes} {feed}", "{axes}-5 {feed}", "{axes}"),
+        ("{axes} {feed}", "{axes}{feed}", "{axes}"),
+        ("G1 {axes}", "G1{axes}", "{axes}"),
+        ("G1 {axes}", "G1 {linear}{rotary}", "{linear}"),
+        ("G1 {axes}", "G1 U{axes}", "{axes}"),
+        ("G1 {axes}", "G1 X={axes}", "{axes}"),
+        ("G1 {axes}", "G1 -{axes}", "{axes}"),
+        ("G1 {axes}", "G1 D{X} {Y} {Z} {rotary}", "{X}"),
+        ("G1 {axes}", "G1 {axes} D{E}", "{E}"),
+    ];
+    for (from, to, mark) in motions {
+        let text = RIGHT.replace("word A C", "word A C E");
+        let diagnostics = dialect(&text.replace(from, to), &AXES).expect_err(to);
+        assert_eq!(marks(&diagnostics), [("E0531", mark)], "{to}");
+    }
+    let commands = [
+        ("T0{tool} M6", "{tool}"),
+        ("T.{tool} M6", "{tool}"),
+        ("T-{tool} M6", "{tool}"),
+        ("T{tool}0 M6", "{tool}"),
+        ("T{tool:00}.1 M6", "{tool:00}"),
+        ("T{tool}{register} M6", "{tool}"),
+        ("T{tool}{program} M6", "{tool}"),
+        ("G53{retract}", "{retract}"),
+        ("G53 {retract}0", "{retract}"),
+        ("M6{offset}", "{offset}"),
+        ("{offset}.1", "{offset}"),
+        ("{offset}{retract}", "{offset}"),
+        ("{program}{retract}", "{program}"),
+        ("(a) T0{tool} (b)", "{tool}"),
+    ];
+    for (line, mark) in commands {
+        assert_eq!(marks_in_tool(line), [("E0531".to_owned(), mark.to_owned())], "{line}");
+    }
+}
+
+#[test]
+fn in_comments_and_quotes_and_beside_other_signs_a_placeholder_may_stand() {
+    for line in [
+        "(tool {tool}. -{offset}.)",
+        "MSG(\\\"tool {tool}0{offset}5\\\")",
+        "O{program}5",
+        "T{tool}M6",
+        "{retract}M6",
+        "T={tool}",
+        "R{tool}=5",
+        "#1=[{tool}-1]*{register}",
+        "/{offset}",
+        "G53 {retract};",
+    ] {
+        assert_eq!(marks_in_tool(line), [], "{line}");
     }
 }
 
@@ -111,6 +178,6 @@ fn codes_of_modal_groups_are_found_where_they_are_codes() {
     assert_eq!(modal(r#""G1 G0""#), 2);
     assert_eq!(modal(r#""(G0 G1) G0""#), 1);
     assert_eq!(modal(r#""MSG(\"a G0 b\") G1""#), 1);
-    assert_eq!(modal(r#""G0{tool}""#), 0);
+    assert_eq!(modal(r#""T{tool}G0""#), 0);
     assert_eq!(modal(r#""G01 XG0""#), 0);
 }

@@ -1,6 +1,7 @@
 //! One line of a block: its text cut at the codes of modal groups, its placeholders understood.
 
 use super::Axis;
+use super::beside;
 use super::lowering::{Lowering, UNPRINTABLE, unprintable};
 use super::picture::{self, BAD_PICTURE};
 use super::placeholder::{Meaning, PLACEHOLDER_ELSEWHERE, PLACEHOLDERS, UNKNOWN_PLACEHOLDER};
@@ -25,6 +26,9 @@ pub(super) fn line(lowering: &mut Lowering<'_>, scene: &Scene<'_>, template: &Li
     let mut aside = Aside::Nowhere;
     let last = template.pieces.len().saturating_sub(1);
     for (n, piece) in template.pieces.iter().enumerate() {
+        if let Some(before) = n.checked_sub(1).filter(|_| aside == Aside::Nowhere) {
+            beside::check(lowering, scene, &template.pieces[before], piece);
+        }
         match &piece.value {
             TemplatePiece::Text(text) => {
                 report_unprintable(lowering, scene, text, &piece.span);
