@@ -38,17 +38,38 @@ fn operation(records: &str) -> String {
 #[test]
 fn the_tool_that_is_in_the_spindle_is_not_changed() {
     let on = "SPINDL/RPM,8000,CLW\n";
-    for (name, first, second, changes) in [
-        ("same", "LOAD/TOOL,1,ADJUST,1", "LOAD/TOOL,1", &["T1 M6"][..]),
-        ("other", "LOAD/TOOL,1", "LOAD/TOOL,2", &["T1 M6", "T2 M6"]),
-        ("register", "LOAD/TOOL,1", "LOAD/TOOL,1,ADJUST,11", &["T1 M6", "T1 M6"]),
-        ("zero", "LOAD/TOOL,0", "LOAD/TOOL,0", &["T0 M6"]),
+    for (controller, first, second, changes) in [
+        ("syntec", "LOAD/TOOL,1,ADJUST,1", "LOAD/TOOL,1", &["T1 M6"][..]),
+        ("syntec", "LOAD/TOOL,1", "LOAD/TOOL,2", &["T1 M6", "T2 M6"]),
+        ("syntec", "LOAD/TOOL,1", "LOAD/TOOL,1,ADJUST,11", &["T1 M6", "T1 M6"]),
+        ("siemens", "LOAD/TOOL,0", "LOAD/TOOL,0", &["T0"]),
     ] {
         let cl = operation(&format!("{first}\n{on}")) + &operation(&format!("{second}\n{on}"));
-        let lines = lines(name, "syntec", &cl);
-        let found: Vec<&String> = lines.iter().filter(|line| line.contains("M6")).collect();
-        assert_eq!(found, changes, "{name}");
-        let ways_out = lines.iter().filter(|line| line.starts_with("G53")).count();
+        let lines = lines("change", controller, &cl);
+        let found: Vec<&String> = lines.iter().filter(|line| line.starts_with('T')).collect();
+        assert_eq!(found, changes, "{first} {second}");
+        let ways_out = lines.iter().filter(|line| line.contains("G53") || line.contains("SUPA")).count();
         assert_eq!(ways_out, changes.len() + 1, "one for each change, and one at the end");
     }
+}
+
+#[test]
+fn a_block_with_the_tool_s_register_needs_a_tool() {
+    let spindle = "SPINDL/RPM,8000,CLW\n";
+    let begins_at_feed = format!("TOOL PATH/CUT,TOOL,MILL\n{spindle}FEDRAT/MMPM,500\nGOTO/0,0,50,0,0,1\nEND-OF-PATH\n");
+    let register_zero = format!("LOAD/TOOL,0\n{spindle}");
+    for (name, cl, line) in
+        [("rapid", operation(spindle), 4), ("feed", begins_at_feed, 4), ("zero", operation(&register_zero), 5)]
+    {
+        let Run { status, stdout, stderr } = post(name, "syntec", &cl);
+        assert_eq!((status, stdout.as_str()), (1, ""), "{stderr}");
+        assert!(
+            stderr.contains("error[E1166]: the block prints `{register}`, and no tool is in the spindle"),
+            "{stderr}"
+        );
+        assert!(stderr.contains(&format!("--> part.cls:{line}:1")), "{stderr}");
+        assert_eq!(stderr.matches("error[").count(), 1, "{stderr}");
+    }
+    let lines = lines("no-register", "siemens", &operation(spindle));
+    assert!(lines.contains(&"G1 Z-1 F500".into()), "its blocks of motion print no register: {lines:?}");
 }

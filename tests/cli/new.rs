@@ -18,7 +18,7 @@ const FAMILIES: [&str; 10] = [
 #[test]
 fn every_family_is_sound_canonical_and_posts() {
     let workshop = Workshop::new("new");
-    workshop.write("part.cls", "RAPID\nGOTO/0,0,50\nFEDRAT/100\nGOTO/0,0,0\nGOTO/10,0,0\n");
+    workshop.write("part.cls", "LOAD/TOOL,1\nSPINDL/8000\nRAPID\nGOTO/0,0,50\nFEDRAT/100\nGOTO/0,0,0\nGOTO/10,0,0\n");
     for family in FAMILIES {
         for controller in ["syntec", "siemens"] {
             let name = format!("{}_{controller}", family.replace('-', "_"));
@@ -41,7 +41,7 @@ fn every_family_is_sound_canonical_and_posts() {
 #[test]
 fn five_axes_tilt() {
     let workshop = Workshop::new("new-tilt");
-    workshop.write("part.cls", "FEDRAT/100\nGOTO/0,0,10,0,0,1\nGOTO/0,0,10,0.3,0.4,0.8660254037844386\n");
+    workshop.write("part.cls", "LOAD/TOOL,1\nFEDRAT/100\nGOTO/0,0,10,0,0,1\nGOTO/0,0,10,0.3,0.4,0.8660254037844386\n");
     for family in &FAMILIES[3..] {
         assert_eq!(workshop.run(&["new", "five", "--like", family]).status, 0);
         let post = workshop.run(&["post", "five.mach", "part.cls"]);

@@ -4,7 +4,7 @@ use crate::describe::dialect;
 use mach_runtime::cl::event::{Approach, Feed};
 use mach_runtime::machine::{Axis, Motion, Rule, Travel, Written};
 use mach_runtime::nc::dialect::{Dialect, Trigger};
-use mach_runtime::nc::writer::{Values, Writer};
+use mach_runtime::nc::writer::{LoadedTool, Values, Writer};
 
 const SYNTEC: &str = include_str!("../../machines/controllers/syntec.mach");
 const SIEMENS: &str = include_str!("../../machines/controllers/siemens.mach");
@@ -39,8 +39,7 @@ fn program(dialect: Dialect) -> String {
         program: "sine-surface",
         operation: "ROUGH (1)",
         text: "check the \"probe\"",
-        tool: 3,
-        register: 3,
+        tool: Some(LoadedTool { number: 3, register: 3 }),
         speed_rpm: 7999.6,
         dwell_s: 1.25,
         ..Values::default()
@@ -165,7 +164,7 @@ fn approach(text: &str, names: &[&str], approach: Approach) -> String {
     let dialect = dialect(&unnumbered(text), names).unwrap_or_else(|diagnostics| panic!("{diagnostics:#?}"));
     let mut writer = Writer::new(dialect, &axes);
     let mut out = Vec::new();
-    let values = Values { program: "part", tool: 7, register: 7, ..Values::default() };
+    let values = Values { program: "part", tool: Some(LoadedTool { number: 7, register: 7 }), ..Values::default() };
     writer.command(Trigger::Start, &values, &mut out).expect("printed");
     writer.command(Trigger::Tool, &values, &mut out).expect("printed");
     out.clear();

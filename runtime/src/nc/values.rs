@@ -17,28 +17,35 @@ pub struct Values<'a> {
     pub tool_name: &'a str,
     /// A message or a comment.
     pub text: &'a str,
-    /// The tool's number.
-    pub tool: u64,
-    /// The tool's length register.
-    pub register: u64,
+    /// The tool in the spindle, once the CL has loaded one.
+    pub tool: Option<LoadedTool>,
     /// The spindle's speed in revolutions a minute.
     pub speed_rpm: f64,
     /// A dwell.
     pub dwell_s: f64,
 }
 
+/// The tool in the spindle, as the control knows it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LoadedTool {
+    /// Its number.
+    pub number: u64,
+    /// Its length register.
+    pub register: u64,
+}
+
 /// Seconds where the template gives no picture.
 const SECONDS: Picture = Picture { decimals: 3, point: Point::Needed, ..Picture::WHOLE };
 
 impl Values<'_> {
-    /// The name, the usual picture and the number of a placeholder that is one.
-    fn number(&self, value: Value) -> Option<(&'static str, Picture, f64)> {
+    /// The name, the usual picture and the number of a placeholder that is one; no number of a tool where there is none.
+    fn number(&self, value: Value) -> Option<(&'static str, Picture, Option<f64>)> {
         Some(match value {
-            Value::Tool => ("tool", Picture::WHOLE, self.tool as f64),
-            Value::Register => ("register", Picture::WHOLE, self.register as f64),
-            Value::Speed => ("speed", Picture::WHOLE, self.speed_rpm),
-            Value::Seconds => ("seconds", SECONDS, self.dwell_s),
-            Value::Milliseconds => ("milliseconds", Picture::WHOLE, self.dwell_s * 1000.0),
+            Value::Tool => ("tool", Picture::WHOLE, self.tool.map(|tool| tool.number as f64)),
+            Value::Register => ("register", Picture::WHOLE, self.tool.map(|tool| tool.register as f64)),
+            Value::Speed => ("speed", Picture::WHOLE, Some(self.speed_rpm)),
+            Value::Seconds => ("seconds", SECONDS, Some(self.dwell_s)),
+            Value::Milliseconds => ("milliseconds", Picture::WHOLE, Some(self.dwell_s * 1000.0)),
             _ => return None,
         })
     }
@@ -53,6 +60,7 @@ impl Values<'_> {
     ) -> Result<(), WriteError> {
         let delimiters = (dialect.comment.0.as_str(), dialect.comment.1.as_str());
         if let Some((name, plain, number)) = self.number(value) {
+            let number = number.ok_or(WriteError::NoTool { name })?;
             return print_number(name, number, picture.unwrap_or(&plain), out);
         }
         match value {

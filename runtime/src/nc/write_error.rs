@@ -30,6 +30,11 @@ pub enum WriteError {
         /// Its value.
         value: f64,
     },
+    /// The number or the register of a tool in a motion, and none is in the spindle, or one with register zero.
+    NoTool {
+        /// The placeholder.
+        name: &'static str,
+    },
     /// The program's name has no letter or digit.
     NoProgramName,
     /// A feed a revolution, and the controller has no code for it.
@@ -37,7 +42,8 @@ pub enum WriteError {
 }
 
 /// Every kind of it.
-pub static CODES: [&Code; 6] = [&NO_BLOCK, &TOO_LARGE, &NO_FEED, &NO_PROGRAM_NAME, &NO_FEED_PER_REVOLUTION, &ZERO];
+pub static CODES: [&Code; 7] =
+    [&NO_BLOCK, &TOO_LARGE, &NO_FEED, &NO_PROGRAM_NAME, &NO_FEED_PER_REVOLUTION, &ZERO, &NO_TOOL];
 
 static NO_BLOCK: Code = Code {
     id: "E1160",
@@ -114,6 +120,19 @@ Mend the CL, or give the placeholder a picture with more decimals:
     on spindle clockwise { \"S{speed:####0[.##]} M3\" }",
 };
 
+static NO_TOOL: Code = Code {
+    id: "E1166",
+    title: "no tool is in the spindle",
+    explanation: "\
+The controller's block for this motion prints the tool's number or its length register, and the CL has loaded no tool before
+it, or one with register zero. With that the control would compensate no length: it takes the spindle's nose for the tip, and
+the tool goes deeper by all of its length.
+
+Have the CAM system put out the tool change, with the register if it is not the tool's number:
+
+    LOAD/TOOL,1,ADJUST,1",
+};
+
 impl WriteError {
     /// A number that has too many digits for its word.
     #[cold]
@@ -129,6 +148,7 @@ impl WriteError {
             Self::TooLarge { .. } => &TOO_LARGE,
             Self::NoFeed { .. } => &NO_FEED,
             Self::Zero { .. } => &ZERO,
+            Self::NoTool { .. } => &NO_TOOL,
             Self::NoProgramName => &NO_PROGRAM_NAME,
             Self::NoFeedPerRevolution => &NO_FEED_PER_REVOLUTION,
         }
@@ -136,7 +156,11 @@ impl WriteError {
 
     /// The diagnostic, without a place: the caller knows the line of the CL.
     pub fn diagnostic(&self) -> Diagnostic {
-        Diagnostic::error(self.code(), self.to_string())
+        let diagnostic = Diagnostic::error(self.code(), self.to_string());
+        match self {
+            Self::NoTool { .. } => diagnostic.note("the CL has no LOAD/TOOL before it, or one with register zero"),
+            _ => diagnostic,
+        }
     }
 }
 
@@ -150,6 +174,7 @@ impl fmt::Display for WriteError {
             }
             Self::NoFeed { value } => write!(f, "the feed rate {value} is zero once it is rounded"),
             Self::Zero { name, value } => write!(f, "the value {value} of `{{{name}}}` is zero once it is rounded"),
+            Self::NoTool { name } => write!(f, "the block prints `{{{name}}}`, and no tool is in the spindle"),
             Self::NoProgramName => write!(f, "no letter or digit is in the program's name"),
             Self::NoFeedPerRevolution => write!(f, "the controller has no code for a feed per revolution"),
         }

@@ -10,7 +10,7 @@ use super::feed_word::{FeedMode, FeedState};
 use super::line::Line;
 use super::motion_block::{MotionBlocks, MotionLine, Step};
 use super::moves::moves;
-pub use super::values::Values;
+pub use super::values::{LoadedTool, Values};
 use super::write_error::WriteError;
 use super::written_axes::WrittenAxes;
 use crate::cl::event::{Approach, Feed};
@@ -38,8 +38,7 @@ struct State {
     converted: Option<(Feed, FeedState)>,
     /// Whether the next motion is the first of the program or of its tool.
     approaching: bool,
-    /// The tool's number and its length register.
-    tool: (u64, u64),
+    tool: Option<LoadedTool>,
 }
 
 impl Writer {
@@ -53,7 +52,7 @@ impl Writer {
             feed_mode: None,
             converted: None,
             approaching: true,
-            tool: (0, 0),
+            tool: None,
         };
         Self { motions: MotionBlocks::new(&dialect), dialect, retract: Retract::of(axes), state }
     }
@@ -95,7 +94,7 @@ impl Writer {
         }
         if trigger == Trigger::Tool {
             state.approaching = true;
-            state.tool = (values.tool, values.register);
+            state.tool = values.tool;
         }
         if trigger == Trigger::Tool || moves(block, dialect) {
             state.forget();
@@ -190,8 +189,9 @@ impl State {
                     self.print_feed_mode(mode, dialect);
                 }
                 Step::Value(value, picture) => {
-                    let (tool, register) = self.tool;
-                    let values = Values { tool, register, ..Values::default() };
+                    // Register zero is none: the control would compensate no length.
+                    let tool = self.tool.filter(|tool| *value != Value::Register || tool.register > 0);
+                    let values = Values { tool, ..Values::default() };
                     self.line.print(|bytes| values.print(*value, picture.as_ref(), dialect, bytes))?;
                 }
             }

@@ -3,7 +3,7 @@
 use super::Job;
 use crate::cl::event::{Command, Coolant, Spindle};
 use crate::nc::dialect::Trigger;
-use crate::nc::writer::Values;
+use crate::nc::writer::{LoadedTool, Values};
 use std::mem;
 
 #[derive(Debug, Default)]
@@ -11,8 +11,7 @@ pub(super) struct InForce {
     operation: String,
     tool_name: String,
     text: String,
-    /// The number and the length register of the tool in the spindle.
-    tool: Option<(u64, u64)>,
+    tool: Option<LoadedTool>,
     speed_rpm: f64,
     dwell_s: f64,
 }
@@ -26,7 +25,7 @@ impl InForce {
                 Trigger::Operation
             }
             Command::Tool { number, register } => {
-                let tool = Some((number, register.unwrap_or(number)));
+                let tool = Some(LoadedTool { number, register: register.unwrap_or(number) });
                 return (mem::replace(&mut self.tool, tool) != tool).then_some(Trigger::Tool);
             }
             Command::SpindleOn(direction, speed_rpm) => {
@@ -51,15 +50,13 @@ impl InForce {
 
     /// What the placeholders stand for.
     pub(super) fn values<'a>(&'a self, job: Job<'a>) -> Values<'a> {
-        let (tool, register) = self.tool.unwrap_or_default();
         Values {
             program: job.program,
             machine: &job.machine.name,
             operation: &self.operation,
             tool_name: &self.tool_name,
             text: &self.text,
-            tool,
-            register,
+            tool: self.tool,
             speed_rpm: self.speed_rpm,
             dwell_s: self.dwell_s,
         }

@@ -4,7 +4,7 @@ use crate::table::{axes, dialect, with_approach};
 use mach_runtime::cl::event::{Approach, Feed};
 use mach_runtime::nc::dialect::{Block, Dialect, Picture, Point, Trigger};
 use mach_runtime::nc::write_error::WriteError;
-use mach_runtime::nc::writer::{Values, Writer};
+use mach_runtime::nc::writer::{LoadedTool, Values, Writer};
 use mach_runtime::unit::LengthUnit;
 
 const FEED: Approach = Approach::Feed(Some(Feed::PerMinute(500.0)));
@@ -28,6 +28,10 @@ fn command(writer: &mut Writer, trigger: Trigger, values: &Values<'_>) -> String
     let mut out = Vec::new();
     writer.command(trigger, values, &mut out).expect("the command is printed");
     String::from_utf8(out).expect("ASCII")
+}
+
+fn with_tool(number: u64, register: u64) -> Values<'static> {
+    Values { tool: Some(LoadedTool { number, register }), ..Values::default() }
 }
 
 #[test]
@@ -75,8 +79,7 @@ fn a_tool_change_and_a_block_that_moves_make_the_next_motion_complete() {
     let mut writer = writer();
     let full = "G1 X1. Y2. Z3. A4. C5. F500.\n";
     motion(&mut writer, FEED, [1.0, 2.0, 3.0, 4.0, 5.0]);
-    let values = Values { tool: 3, register: 4, ..Values::default() };
-    assert_eq!(command(&mut writer, Trigger::Tool, &values), "G53 Z0.\nT3 M6\nG43 H04\n");
+    assert_eq!(command(&mut writer, Trigger::Tool, &with_tool(3, 4)), "G53 Z0.\nT3 M6\nG43 H04\n");
     assert_eq!(motion(&mut writer, FEED, [1.0, 2.0, 3.0, 4.0, 5.0]), full);
     command(&mut writer, Trigger::Dwell, &Values::default());
     assert_eq!(motion(&mut writer, FEED, [1.0, 2.0, 3.0, 4.0, 5.0]), "");
@@ -88,12 +91,13 @@ fn a_tool_change_and_a_block_that_moves_make_the_next_motion_complete() {
 fn the_first_rapid_motion_of_a_program_and_of_a_tool_is_the_approach() {
     let mut writer = Writer::new(Dialect { sequence: None, ..with_approach() }, &axes());
     let joints = [1.0, 2.0, 3.0, 4.0, 5.0];
-    assert_eq!(motion(&mut writer, Approach::Rapid, joints), "G0 A4. C5.\nX1. Y2.\nG43 H0 Z3.\n");
-    assert_eq!(motion(&mut writer, Approach::Rapid, [1.0, 2.0, 9.0, 4.0, 5.0]), "Z9.\n");
-    command(&mut writer, Trigger::Tool, &Values { tool: 3, register: 4, ..Values::default() });
+    let mut without_tool = || writer.motion(Approach::Rapid, &joints, 0.0, &mut Vec::new());
+    assert_eq!(without_tool(), Err(WriteError::NoTool { name: "register" }));
+    command(&mut writer, Trigger::Tool, &with_tool(3, 4));
     command(&mut writer, Trigger::Stop, &Values::default());
     assert_eq!(motion(&mut writer, Approach::Rapid, joints), "G0 A4. C5.\nX1. Y2.\nG43 H4 Z3.\n");
-    command(&mut writer, Trigger::Tool, &Values { tool: 3, register: 4, ..Values::default() });
+    assert_eq!(motion(&mut writer, Approach::Rapid, [1.0, 2.0, 9.0, 4.0, 5.0]), "Z9.\n");
+    command(&mut writer, Trigger::Tool, &with_tool(3, 4));
     assert_eq!(motion(&mut writer, FEED, joints), "G1 X1. Y2. Z3. A4. C5. G94 F500.\n");
     assert_eq!(motion(&mut writer, Approach::Rapid, [0.0; 5]), "G0 X0.0 Y0.0 Z0.0 A0.0 C0.0\n");
 }
@@ -102,7 +106,7 @@ fn the_first_rapid_motion_of_a_program_and_of_a_tool_is_the_approach() {
 fn an_approach_that_cannot_be_printed_prints_nothing() {
     let mut writer = Writer::new(with_approach(), &axes());
     let mut out = Vec::new();
-    writer.command(Trigger::Tool, &Values { register: 12, ..Values::default() }, &mut out).expect("printed");
+    writer.command(Trigger::Tool, &with_tool(3, 12), &mut out).expect("printed");
     let before = out.clone();
     let error = writer.motion(Approach::Rapid, &[1.0; 5], 0.0, &mut out);
     assert_eq!(error, Err(WriteError::TooLarge { word: "register".into(), value: 12.0, limit: 10.0 }));
@@ -117,9 +121,10 @@ fn a_rapid_motion_in_several_lines_leaves_out_those_that_stand_still() {
         dialect.blocks.push(Block { trigger: Trigger::Rapid, ..block });
     }
     let mut writer = Writer::new(dialect, &axes());
+    command(&mut writer, Trigger::Tool, &with_tool(3, 4));
     motion(&mut writer, FEED, [0.0; 5]);
     assert_eq!(motion(&mut writer, Approach::Rapid, [1.0, 0.0, 0.0, 0.0, 0.0]), "G0 X1.\n");
-    assert_eq!(motion(&mut writer, Approach::Rapid, [1.0, 0.0, 2.0, 0.0, 5.0]), "C5.\nG43 H0 Z2.\n");
+    assert_eq!(motion(&mut writer, Approach::Rapid, [1.0, 0.0, 2.0, 0.0, 5.0]), "C5.\nG43 H4 Z2.\n");
 }
 
 #[test]
@@ -190,7 +195,7 @@ fn a_controller_without_feed_per_revolution_refuses_it() {
 fn a_refused_motion_moves_no_axis() {
     let mut writer = Writer::new(Dialect { sequence: None, ..with_approach() }, &axes());
     let mut out = Vec::new();
-    writer.command(Trigger::Tool, &Values { register: 12, ..Values::default() }, &mut out).expect("printed");
+    writer.command(Trigger::Tool, &with_tool(3, 12), &mut out).expect("printed");
     let approach = writer.motion(Approach::Rapid, &[1.0; 5], 0.0, &mut out);
     assert!(matches!(approach, Err(WriteError::TooLarge { .. })));
     assert_eq!(motion(&mut writer, FEED, [1.0; 5]), "G1 X1. Y1. Z1. A1. C1. G94 F500.\n");
