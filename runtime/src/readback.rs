@@ -4,11 +4,10 @@
 //! its value until it is given again. What is read is the text of motions: blocks that send an axis elsewhere for once
 //! (`G53 Z0.`) are not for this reader, and the writer prints every axis after them.
 
-use crate::decimal::Decimal;
 use crate::machine::{Axis, Motion};
 use crate::nc::dialect::Dialect;
+use crate::number::{Decimal, usual_decimal};
 use crate::unit::LengthUnit;
-use crate::usual_decimal::usual_decimal;
 use std::cmp::Reverse;
 use std::fmt;
 use std::ops::Range;

@@ -33,8 +33,7 @@ pub(crate) fn check(model: &Model, draft: &Draft<'_>, statements: &[Located<Cont
     let machine = tables::machine(model);
     let narrow = machine.axes.iter().zip(&dialect.axes).filter_map(|(axis, word)| {
         let greatest = greatest_written(axis, word, dialect.units)?;
-        let limit = power_of_ten(word.picture.integer_digits);
-        (rounded(greatest, word.picture.decimals) >= limit).then_some((axis, word, greatest))
+        word.picture.units(greatest).is_none().then_some((axis, word, greatest))
     });
     narrow.map(|(axis, word, greatest)| report(draft, statements, axis, word, greatest)).collect()
 }
@@ -66,20 +65,9 @@ fn report(
 /// The greatest magnitude that the program may show; `None` without a limit.
 fn greatest_written(axis: &Axis, word: &Word, units: LengthUnit) -> Option<f64> {
     let [lower, upper] = match (axis.motion, axis.written) {
-        (Motion::Rotary, Written::Wrapped { from_deg }) => {
-            [from_deg, from_deg + 360.0 - 1.0 / power_of_ten(word.picture.decimals)]
-        }
+        (Motion::Rotary, Written::Wrapped { from_deg }) => [from_deg, from_deg + 360.0 - word.picture.value(1)],
         (Motion::Rotary, Written::Unwound) => [axis.travel.lower, axis.travel.upper],
         (Motion::Linear, _) => [axis.travel.lower, axis.travel.upper].map(|end_mm| (end_mm - axis.zero) / units.mm()),
     };
     Some(lower.abs().max(upper.abs())).filter(|greatest| greatest.is_finite())
-}
-
-fn rounded(value: f64, decimals: u8) -> f64 {
-    let scale = power_of_ten(decimals);
-    (value * scale).round() / scale
-}
-
-fn power_of_ten(exponent: u8) -> f64 {
-    (0..exponent).fold(1.0, |power, _| power * 10.0)
 }

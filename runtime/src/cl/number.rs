@@ -1,7 +1,6 @@
 //! Numbers of CL text.
 
-use crate::decimal::Decimal;
-use crate::usual_decimal::usual_decimal;
+use crate::number::{Decimal, usual_decimal};
 
 /// With more digits, a plain decimal is not sure to be the closest double.
 const MOST_PLAIN_DIGITS: usize = 15;

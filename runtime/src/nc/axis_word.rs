@@ -1,10 +1,10 @@
 //! The word of one axis: from a joint value to the whole units that are printed.
 
-use super::dialect::{Picture, Word};
+use super::dialect::Word;
 use super::printed_word::PrintedWord;
-use super::rounding::Rounding;
 use super::write_error::WriteError;
 use crate::machine::{Axis, Motion, Retract, Written};
+use crate::number::{Picture, Rounding};
 use crate::unit::LengthUnit;
 
 /// How an axis' joint value becomes the number in its word.
@@ -31,7 +31,7 @@ struct Turn {
 
 impl Turn {
     fn new(from_deg: f64, picture: &Picture) -> Self {
-        let from = Rounding::unbounded(picture).units(from_deg).unwrap_or(0);
+        let from = picture.unbounded_rounding().units(from_deg).unwrap_or(0);
         Self { from, length: 360 * picture.units_per_one(), too_many: picture.too_many_units() }
     }
 
@@ -56,7 +56,8 @@ impl AxisWord {
             Written::Wrapped { from_deg } if axis.motion == Motion::Rotary => Some(Turn::new(from_deg, &word.picture)),
             _ => None,
         };
-        let rounding = if turn.is_some() { Rounding::unbounded(&word.picture) } else { Rounding::new(&word.picture) };
+        let picture = &word.picture;
+        let rounding = if turn.is_some() { picture.unbounded_rounding() } else { picture.rounding() };
         let printed = PrintedWord::new(word.clone());
         Self { printed, zero: axis.zero, length_share: axis.length_share, scale, rounding, turn }
     }
@@ -93,7 +94,7 @@ impl AxisWord {
         let value = retract.end_mm * self.scale;
         let picture = &self.printed.word.picture;
         let units = picture.units(value).ok_or_else(|| WriteError::too_large(&self.printed.word, value))?;
-        let above = units as f64 / picture.units_per_one() as f64 - value;
+        let above = picture.value(units) - value;
         Ok(match retract.is_upper {
             true if above > 1e-9 => units - 1,
             false if above < -1e-9 => units + 1,
@@ -103,7 +104,7 @@ impl AxisWord {
 
     /// What so many units mean: millimetres or degrees from the program zero.
     pub fn value(&self, units: i64) -> f64 {
-        units as f64 / self.printed.word.picture.units_per_one() as f64 / self.scale
+        self.printed.word.picture.value(units) / self.scale
     }
 
     /// Where a control takes the axis for a value in the program: machine coordinates.

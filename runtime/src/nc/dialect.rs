@@ -1,40 +1,7 @@
-//! A controller's dialect as tables: number pictures, words, modal groups, blocks.
+//! A controller's dialect as tables: words, modal groups, blocks.
 
+use crate::number::Picture;
 use crate::unit::LengthUnit;
-
-/// How a number is printed, from a picture such as `####.###`, `###0[.###]`, `+##0.000`.
-///
-/// Before the point every `#` or `0` is a digit that may be printed; from the first `0` on, digits are always printed.
-/// After the point `0` is always printed and `#` only when it or a later digit is not zero. A point outside brackets is
-/// always printed; `[.###]` drops the point along with the digits. A leading `+` prints the sign of positive numbers.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Picture {
-    /// Print `+` before positive numbers.
-    pub plus: bool,
-    /// The greatest number of digits before the point.
-    pub integer_digits: u8,
-    /// The digits before the point that are always printed.
-    pub integer_least: u8,
-    /// The greatest number of digits after the point: the resolution.
-    pub decimals: u8,
-    /// The digits after the point that are always printed.
-    pub decimals_least: u8,
-    /// When the point is printed.
-    pub point: Point,
-    /// What is printed for a number that rounds to zero, where it differs from the picture (`0.0`).
-    pub zero: Option<String>,
-}
-
-/// When a decimal point is printed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Point {
-    /// Always (`25.`).
-    Always,
-    /// Only before digits (`25`, `25.5`).
-    Needed,
-    /// Never: the picture has no point.
-    Never,
-}
 
 /// An address and how its number is printed.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -1,8 +1,9 @@
 //! The blocks of motions, taken apart when the program begins: what a motion prints is decided point by point.
 
-use super::dialect::{Block, Dialect, Line, Picture, Piece, Trigger, Value};
+use super::dialect::{Block, Dialect, Line, Piece, Trigger, Value};
 use super::write_error::WriteError;
 use crate::cl::event::Approach;
+use crate::number::Picture;
 
 /// The blocks of all motions.
 #[derive(Debug)]

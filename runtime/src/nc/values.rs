@@ -1,8 +1,9 @@
 //! What the placeholders of a block stand for, and how that is printed.
 
-use super::dialect::{Dialect, Picture, Point, Value, Word};
+use super::dialect::{Dialect, Value, Word};
 use super::text::{print_comment, print_program_name};
 use super::write_error::WriteError;
+use crate::number::{DecimalPoint, Picture};
 
 /// What the placeholders of a command's block stand for.
 #[derive(Debug, Clone, Copy, Default)]
@@ -35,7 +36,7 @@ pub struct LoadedTool {
 }
 
 /// Seconds where the template gives no picture.
-const SECONDS: Picture = Picture { decimals: 3, point: Point::Needed, ..Picture::WHOLE };
+const SECONDS: Picture = Picture { decimals: 3, point: DecimalPoint::Needed, ..Picture::WHOLE };
 
 impl Values<'_> {
     /// The name, the usual picture and the number of a placeholder that is one; no number of a tool where there is none.

@@ -137,7 +137,7 @@ impl WriteError {
     /// A number that has too many digits for its word.
     #[cold]
     pub(super) fn too_large(word: &Word, value: f64) -> Self {
-        let limit = word.picture.too_many_units() as f64 / word.picture.units_per_one() as f64;
+        let limit = word.picture.value(word.picture.too_many_units());
         Self::TooLarge { word: word.name.clone(), value, limit }
     }
 

@@ -1,7 +1,8 @@
 //! A five-axis table and a Fanuc-like dialect, as tables.
 
 use mach_runtime::machine::{Axis, Motion, Rule, Travel, Written};
-use mach_runtime::nc::dialect::{Block, Codes, Dialect, Line, Picture, Piece, Point, Sequence, Trigger, Value, Word};
+use mach_runtime::nc::dialect::{Block, Codes, Dialect, Line, Piece, Sequence, Trigger, Value, Word};
+use mach_runtime::number::{DecimalPoint, Picture};
 use mach_runtime::unit::LengthUnit;
 
 pub(crate) fn axis(name: &str, motion: Motion) -> Axis {
@@ -33,7 +34,7 @@ pub(crate) fn picture() -> Picture {
         integer_least: 0,
         decimals: 3,
         decimals_least: 0,
-        point: Point::Always,
+        point: DecimalPoint::Always,
         zero: Some("0.0".into()),
     }
 }

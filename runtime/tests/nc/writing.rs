@@ -2,9 +2,10 @@
 
 use crate::table::{axes, dialect, with_approach};
 use mach_runtime::cl::event::{Approach, Feed};
-use mach_runtime::nc::dialect::{Block, Dialect, Picture, Point, Trigger};
+use mach_runtime::nc::dialect::{Block, Dialect, Trigger};
 use mach_runtime::nc::write_error::WriteError;
 use mach_runtime::nc::writer::{LoadedTool, Values, Writer};
+use mach_runtime::number::{DecimalPoint, Picture};
 use mach_runtime::unit::LengthUnit;
 
 const FEED: Approach = Approach::Feed(Some(Feed::PerMinute(500.0)));
@@ -224,7 +225,9 @@ fn wandering() -> impl Iterator<Item = [f64; 5]> {
 #[test]
 fn words_of_all_lengths_are_what_their_pictures_print() {
     let pictures = [(4, 0, 3), (4, 1, 4), (6, 0, 6), (9, 2, 0), (5, 0, 8)];
-    for (address, point) in [("X", Point::Always), ("X1=", Point::Needed), ("SPINDLE_X=", Point::Always)] {
+    for (address, point) in
+        [("X", DecimalPoint::Always), ("X1=", DecimalPoint::Needed), ("SPINDLE_X=", DecimalPoint::Always)]
+    {
         let mut dialect = plain();
         let words = dialect.axes.iter_mut().zip(pictures).enumerate();
         for (n, (word, (integer_digits, integer_least, decimals))) in words {

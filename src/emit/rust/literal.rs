@@ -5,7 +5,8 @@ use mach_runtime::kinematics::Pole;
 use mach_runtime::machine::{
     Axis, BranchPolicy, Chain, Joint, Machine, Motion, Preference, Rule, Strictness, ToolGeometry, Travel, Written,
 };
-use mach_runtime::nc::dialect::{Block, Codes, Dialect, Line, Picture, Piece, Point, Sequence, Trigger, Value, Word};
+use mach_runtime::nc::dialect::{Block, Codes, Dialect, Line, Piece, Sequence, Trigger, Value, Word};
+use mach_runtime::number::{DecimalPoint, Picture};
 use mach_runtime::unit::LengthUnit;
 
 /// A value that can be written down as a Rust expression.
@@ -87,7 +88,7 @@ structs! {
     Block { trigger, lines }
 }
 
-names! { Component Motion Strictness LengthUnit Point Trigger Value }
+names! { Component Motion Strictness LengthUnit DecimalPoint Trigger Value }
 plain! { bool u8 u64 usize }
 
 impl Literal for f64 {

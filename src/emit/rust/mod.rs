@@ -36,7 +36,7 @@ pub fn rust(compiled: &Compiled) -> String {
 fn header(compiled: &Compiled) -> String {
     let title = compiled.model.title.as_ref().map(|title| format!(": {title}")).unwrap_or_default();
     let uses_dialect = if compiled.model.dialect.is_some() {
-        "use mach_runtime::nc::dialect::*;\nuse mach_runtime::rig::Rig;\nuse mach_runtime::unit::*;\n"
+        "use mach_runtime::nc::dialect::*;\nuse mach_runtime::number::*;\nuse mach_runtime::rig::Rig;\nuse mach_runtime::unit::*;\n"
     } else {
         ""
     };

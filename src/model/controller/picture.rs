@@ -1,7 +1,7 @@
 //! Number pictures: `####.###` as a person writes it.
 
 use mach_runtime::diagnostic::Code;
-use mach_runtime::nc::dialect::{Picture, Point};
+use mach_runtime::number::{DecimalPoint, Picture};
 use std::ops::Range;
 
 /// A picture that cannot be read.
@@ -70,9 +70,9 @@ pub(super) fn parse(text: &str) -> Result<Picture, PictureError> {
         decimals: (sometimes - point) as u8,
         decimals_least: (always - point) as u8,
         point: match (pointed, bracket) {
-            (false, _) => Point::Never,
-            (true, false) => Point::Always,
-            (true, true) => Point::Needed,
+            (false, _) => DecimalPoint::Never,
+            (true, false) => DecimalPoint::Always,
+            (true, true) => DecimalPoint::Needed,
         },
         zero: None,
     })
@@ -123,14 +123,14 @@ mod tests {
     fn pictures_are_read() {
         let length = parse("####.###").unwrap();
         assert_eq!((length.integer_digits, length.integer_least), (4, 0));
-        assert_eq!((length.decimals, length.decimals_least, length.point), (3, 0, Point::Always));
+        assert_eq!((length.decimals, length.decimals_least, length.point), (3, 0, DecimalPoint::Always));
         let full = parse("+##0.0##").unwrap();
         assert_eq!((full.plus, full.integer_digits, full.integer_least), (true, 3, 1));
         assert_eq!((full.decimals, full.decimals_least), (3, 1));
         let needed = parse("###0[.##]").unwrap();
-        assert_eq!((needed.decimals, needed.point), (2, Point::Needed));
-        assert_eq!(parse("00").unwrap().point, Point::Never);
-        assert_eq!(parse("####.").unwrap().point, Point::Always);
+        assert_eq!((needed.decimals, needed.point), (2, DecimalPoint::Needed));
+        assert_eq!(parse("00").unwrap().point, DecimalPoint::Never);
+        assert_eq!(parse("####.").unwrap().point, DecimalPoint::Always);
         assert_eq!(parse(".###").unwrap().integer_digits, 0);
     }
 

@@ -6,7 +6,8 @@ use super::{Axis, LACKING};
 use crate::syntax::spelling::nearest;
 use crate::syntax::tree::{ControllerStatement, Name, Text};
 use mach_runtime::diagnostic::{Code, Diagnostic, Suggestion};
-use mach_runtime::nc::dialect::{Picture, Word};
+use mach_runtime::nc::dialect::Word;
+use mach_runtime::number::Picture;
 use mach_runtime::unit::LengthUnit;
 use std::collections::BTreeMap;
 

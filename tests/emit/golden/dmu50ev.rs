@@ -10,6 +10,7 @@
 use mach_runtime::kinematics::*;
 use mach_runtime::machine::*;
 use mach_runtime::nc::dialect::*;
+use mach_runtime::number::*;
 use mach_runtime::rig::Rig;
 use mach_runtime::unit::*;
 use mach_runtime::vector::Vec3;
@@ -431,7 +432,7 @@ pub fn dialect() -> Dialect {
                     integer_least: 1,
                     decimals: 3,
                     decimals_least: 0,
-                    point: Point::Needed,
+                    point: DecimalPoint::Needed,
                     zero: None,
                 },
             },
@@ -444,7 +445,7 @@ pub fn dialect() -> Dialect {
                     integer_least: 1,
                     decimals: 3,
                     decimals_least: 0,
-                    point: Point::Needed,
+                    point: DecimalPoint::Needed,
                     zero: None,
                 },
             },
@@ -457,7 +458,7 @@ pub fn dialect() -> Dialect {
                     integer_least: 1,
                     decimals: 3,
                     decimals_least: 0,
-                    point: Point::Needed,
+                    point: DecimalPoint::Needed,
                     zero: None,
                 },
             },
@@ -470,7 +471,7 @@ pub fn dialect() -> Dialect {
                     integer_least: 1,
                     decimals: 3,
                     decimals_least: 0,
-                    point: Point::Needed,
+                    point: DecimalPoint::Needed,
                     zero: None,
                 },
             },
@@ -483,7 +484,7 @@ pub fn dialect() -> Dialect {
                     integer_least: 1,
                     decimals: 3,
                     decimals_least: 0,
-                    point: Point::Needed,
+                    point: DecimalPoint::Needed,
                     zero: None,
                 },
             },
@@ -497,7 +498,7 @@ pub fn dialect() -> Dialect {
                 integer_least: 1,
                 decimals: 1,
                 decimals_least: 0,
-                point: Point::Needed,
+                point: DecimalPoint::Needed,
                 zero: None,
             },
         },
@@ -510,7 +511,7 @@ pub fn dialect() -> Dialect {
                 integer_least: 1,
                 decimals: 4,
                 decimals_least: 0,
-                point: Point::Needed,
+                point: DecimalPoint::Needed,
                 zero: None,
             },
         },

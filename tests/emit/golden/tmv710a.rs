@@ -10,6 +10,7 @@
 use mach_runtime::kinematics::*;
 use mach_runtime::machine::*;
 use mach_runtime::nc::dialect::*;
+use mach_runtime::number::*;
 use mach_runtime::rig::Rig;
 use mach_runtime::unit::*;
 use mach_runtime::vector::Vec3;
@@ -379,7 +380,7 @@ pub fn dialect() -> Dialect {
                     integer_least: 0,
                     decimals: 3,
                     decimals_least: 0,
-                    point: Point::Always,
+                    point: DecimalPoint::Always,
                     zero: Some("0.0".to_owned()),
                 },
             },
@@ -392,7 +393,7 @@ pub fn dialect() -> Dialect {
                     integer_least: 0,
                     decimals: 3,
                     decimals_least: 0,
-                    point: Point::Always,
+                    point: DecimalPoint::Always,
                     zero: Some("0.0".to_owned()),
                 },
             },
@@ -405,7 +406,7 @@ pub fn dialect() -> Dialect {
                     integer_least: 0,
                     decimals: 3,
                     decimals_least: 0,
-                    point: Point::Always,
+                    point: DecimalPoint::Always,
                     zero: Some("0.0".to_owned()),
                 },
             },
@@ -418,7 +419,7 @@ pub fn dialect() -> Dialect {
                     integer_least: 0,
                     decimals: 3,
                     decimals_least: 0,
-                    point: Point::Always,
+                    point: DecimalPoint::Always,
                     zero: Some("0.0".to_owned()),
                 },
             },
@@ -431,7 +432,7 @@ pub fn dialect() -> Dialect {
                     integer_least: 0,
                     decimals: 3,
                     decimals_least: 0,
-                    point: Point::Always,
+                    point: DecimalPoint::Always,
                     zero: Some("0.0".to_owned()),
                 },
             },
@@ -445,7 +446,7 @@ pub fn dialect() -> Dialect {
                 integer_least: 0,
                 decimals: 1,
                 decimals_least: 0,
-                point: Point::Always,
+                point: DecimalPoint::Always,
                 zero: None,
             },
         },
@@ -458,7 +459,7 @@ pub fn dialect() -> Dialect {
                 integer_least: 0,
                 decimals: 4,
                 decimals_least: 0,
-                point: Point::Always,
+                point: DecimalPoint::Always,
                 zero: None,
             },
         },
@@ -603,7 +604,7 @@ pub fn dialect() -> Dialect {
                                 integer_least: 2,
                                 decimals: 0,
                                 decimals_least: 0,
-                                point: Point::Never,
+                                point: DecimalPoint::Never,
                                 zero: None,
                             }),
                         ),
@@ -648,7 +649,7 @@ pub fn dialect() -> Dialect {
                                 integer_least: 2,
                                 decimals: 0,
                                 decimals_least: 0,
-                                point: Point::Never,
+                                point: DecimalPoint::Never,
                                 zero: None,
                             }),
                         ),

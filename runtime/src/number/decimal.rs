@@ -43,7 +43,7 @@ impl Decimal {
 /// The value of digits with so many decimals behind a sign, never -0. With up to 15 digits it is the double closest to the
 /// decimal: both the digits and the power of ten are exact, and so their quotient is rounded once.
 #[inline]
-pub(crate) fn quotient(digits: u64, decimals: usize, negative: bool) -> f64 {
+pub(super) fn quotient(digits: u64, decimals: usize, negative: bool) -> f64 {
     // The sign is put on the whole number, which has no -0.
     let digits = digits as i64;
     (if negative { -digits } else { digits }) as f64 / POWERS_OF_TEN[decimals]

@@ -3,20 +3,42 @@
 //! The rounded whole number is the value in every comparison ("has the printed word changed?", "is it a full turn?"),
 //! so that what is compared is what is printed.
 
-use super::dialect::{Picture, Point};
-use super::digits::eight_digits;
+use super::digits::Digits;
 use super::rounding::Rounding;
 
-/// `10^n`, exact.
-const POWERS: [u64; Picture::MOST_DIGITS as usize + 1] = {
-    let mut powers = [1; Picture::MOST_DIGITS as usize + 1];
-    let mut n = 1;
-    while n < powers.len() {
-        powers[n] = powers[n - 1] * 10;
-        n += 1;
-    }
-    powers
-};
+/// How a number is printed, from a picture such as `####.###`, `###0[.###]`, `+##0.000`.
+///
+/// Before the point every `#` or `0` is a digit that may be printed; from the first `0` on, digits are always printed.
+/// After the point `0` is always printed and `#` only when it or a later digit is not zero. A point outside brackets is
+/// always printed; `[.###]` drops the point along with the digits. A leading `+` prints the sign of positive numbers.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Picture {
+    /// Print `+` before positive numbers.
+    pub plus: bool,
+    /// The greatest number of digits before the point.
+    pub integer_digits: u8,
+    /// The digits before the point that are always printed.
+    pub integer_least: u8,
+    /// The greatest number of digits after the point: the resolution.
+    pub decimals: u8,
+    /// The digits after the point that are always printed.
+    pub decimals_least: u8,
+    /// When the point is printed.
+    pub point: DecimalPoint,
+    /// What is printed for a number that rounds to zero, where it differs from the picture (`0.0`).
+    pub zero: Option<String>,
+}
+
+/// When a decimal point is printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DecimalPoint {
+    /// Always (`25.`).
+    Always,
+    /// Only before digits (`25`, `25.5`).
+    Needed,
+    /// Never: the picture has no point.
+    Never,
+}
 
 impl Picture {
     /// The greatest number of digits before and after the point together: what a double holds exactly.
@@ -29,24 +51,39 @@ impl Picture {
         integer_least: 1,
         decimals: 0,
         decimals_least: 0,
-        point: Point::Never,
+        point: DecimalPoint::Never,
         zero: None,
     };
 
     /// How many units of the last decimal make one: `10^decimals`.
     pub fn units_per_one(&self) -> i64 {
-        POWERS[usize::from(self.decimals)] as i64
+        10_i64.pow(u32::from(self.decimals))
     }
 
     /// The least number of units that has too many digits for the picture.
     pub fn too_many_units(&self) -> i64 {
-        POWERS[usize::from(self.integer_digits + self.decimals)] as i64
+        10_i64.pow(u32::from(self.integer_digits + self.decimals))
     }
 
     /// The value in whole units of the last decimal, halves away from zero; nothing when it is not finite or has too
     /// many digits.
     pub fn units(&self, value: f64) -> Option<i64> {
-        Rounding::new(self).units(value)
+        self.rounding().units(value)
+    }
+
+    /// The value of so many units.
+    pub fn value(&self, units: i64) -> f64 {
+        units as f64 / self.units_per_one() as f64
+    }
+
+    /// Rounds what has digits enough in the picture.
+    pub(crate) fn rounding(&self) -> Rounding {
+        Rounding::new(self.units_per_one(), self.too_many_units())
+    }
+
+    /// Rounds what has digits enough in any picture: for a value that is reduced to a turn later on.
+    pub(crate) fn unbounded_rounding(&self) -> Rounding {
+        Rounding::new(self.units_per_one(), 10_i64.pow(u32::from(Self::MOST_DIGITS)))
     }
 
     /// Prints a number of units that fits.
@@ -70,61 +107,10 @@ impl Picture {
             start -= 1; // some digit must stand there
         }
         digits.print(start, point, out);
-        if self.point == Point::Always || (self.point == Point::Needed && end > point) {
+        if self.point == DecimalPoint::Always || (self.point == DecimalPoint::Needed && end > point) {
             out.push(b'.');
         }
         digits.print(point, end, out);
-    }
-}
-
-/// Prints a whole number in decimal.
-pub fn print_whole(number: u64, out: &mut Vec<u8>) {
-    let digits = Digits::of(number % Digits::LIMIT);
-    if number >= Digits::LIMIT {
-        print_whole(number / Digits::LIMIT, out);
-        digits.print(0, Digits::COUNT, out);
-    } else {
-        digits.print(digits.first.min(Digits::COUNT - 1), Digits::COUNT, out);
-    }
-}
-
-/// The sixteen digits of a number, zeros in front.
-struct Digits {
-    /// The digits, and room for a copy that begins at the last of them.
-    text: [u8; 2 * Self::COUNT],
-    /// Where the first digit other than zero stands; the end for zero.
-    first: usize,
-    /// Behind the last digit other than zero; the start for zero.
-    behind_last: usize,
-}
-
-impl Digits {
-    const COUNT: usize = 16;
-    /// The first number with more digits.
-    const LIMIT: u64 = 10_000_000_000_000_000;
-
-    #[inline]
-    fn of(number: u64) -> Self {
-        let (high, low) = match number {
-            0..100_000_000 => (0, eight_digits(number as u32)),
-            _ => (eight_digits((number / 100_000_000) as u32), eight_digits((number % 100_000_000) as u32)),
-        };
-        let digits = u128::from(low) << 64 | u128::from(high);
-        let mut text = [b'0'; 2 * Self::COUNT];
-        text[..Self::COUNT].copy_from_slice(&(digits | u128::from_le_bytes([b'0'; 16])).to_le_bytes());
-        let first = digits.trailing_zeros() as usize / 8;
-        let behind_last = Self::COUNT - digits.leading_zeros() as usize / 8;
-        Self { text, first, behind_last }
-    }
-
-    /// Prints the digits from one place to another. All of them are copied and the rest taken back: a copy of fixed
-    /// length takes a fraction of the time of one of few bytes.
-    #[inline]
-    fn print(&self, from: usize, to: usize, out: &mut Vec<u8>) {
-        let end = out.len() + to - from;
-        let window = self.text[from..].first_chunk::<{ Self::COUNT }>();
-        out.extend_from_slice(window.expect("a place among the digits has as many bytes behind it"));
-        out.truncate(end);
     }
 }
 
@@ -140,7 +126,7 @@ mod tests {
             integer_least: 0,
             decimals: 3,
             decimals_least: 0,
-            point: Point::Always,
+            point: DecimalPoint::Always,
             zero: Some("0.0".into()),
         }
     }
@@ -175,7 +161,7 @@ mod tests {
 
     #[test]
     fn shapes_of_other_pictures() {
-        let needed = Picture { point: Point::Needed, zero: None, ..length() };
+        let needed = Picture { point: DecimalPoint::Needed, zero: None, ..length() };
         assert_eq!(printed(&needed, 10.0), "10");
         assert_eq!(printed(&needed, 10.5), "10.5");
         assert_eq!(printed(&needed, 0.0), "0");
@@ -198,17 +184,6 @@ mod tests {
         }
     }
 
-    #[test]
-    fn whole_numbers() {
-        let some = [99_999_999, 100_000_000, 9_999_999_999_999_999, 10_000_000_000_000_000, u64::MAX];
-        let many = (0..10_000).flat_map(|four| [four, four * 10_000, four * 1_000_000_007]);
-        for number in many.chain(some) {
-            let mut out = Vec::new();
-            print_whole(number, &mut out);
-            assert_eq!(out, number.to_string().as_bytes());
-        }
-    }
-
     /// A small generator of numbers of all magnitudes.
     fn values() -> impl Iterator<Item = f64> {
         let mut state = 0x9e37_79b9_7f4a_7c15_u64;
@@ -217,16 +192,16 @@ mod tests {
             state ^= state >> 7;
             state ^= state << 17;
             let fraction = (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5;
-            fraction * 2.0 * POWERS[n % 5] as f64
+            fraction * 2.0 * 10_u32.pow(n % 5) as f64
         })
     }
 
     #[test]
     fn what_is_printed_is_the_value_to_half_a_unit() {
         for decimals in 0..=6 {
-            for point in [Point::Always, Point::Needed] {
+            for point in [DecimalPoint::Always, DecimalPoint::Needed] {
                 let picture = Picture { decimals, point, ..length() };
-                let half = 0.5 / POWERS[usize::from(decimals)] as f64;
+                let half = 0.5 * picture.value(1);
                 for value in values() {
                     if picture.units(value).is_none() {
                         continue;

@@ -1,10 +1,8 @@
-//! From a value to whole units of a word's last decimal.
+//! From a value to whole units of a picture's last decimal.
 
-use super::dialect::Picture;
-
-/// A picture's resolution and a bound, as numbers.
+/// A resolution and a bound.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Rounding {
+pub(crate) struct Rounding {
     units_per_one: f64,
     /// The least number that is rounded to too many units.
     too_many: f64,
@@ -14,21 +12,16 @@ pub(super) struct Rounding {
 const NO_FRACTION: f64 = (1_u64 << 52) as f64;
 
 impl Rounding {
-    /// Rounds what has digits enough in the picture.
-    pub(super) fn new(picture: &Picture) -> Self {
-        Self { units_per_one: picture.units_per_one() as f64, too_many: picture.too_many_units() as f64 - 0.5 }
-    }
-
-    /// Rounds what has digits enough in any picture: for a value that is reduced to a turn later on.
-    pub(super) fn unbounded(picture: &Picture) -> Self {
-        Self { too_many: 10_u64.pow(u32::from(Picture::MOST_DIGITS)) as f64, ..Self::new(picture) }
+    /// Rounds to units of which so many make one, and refuses what is that many units or more.
+    pub(super) fn new(units_per_one: i64, too_many_units: i64) -> Self {
+        Self { units_per_one: units_per_one as f64, too_many: too_many_units as f64 - 0.5 }
     }
 
     /// The value in whole units, halves away from zero; nothing when it is not a number or has too many digits.
     ///
     /// A double to which 2^52 is added is rounded to a whole number, halves to even, and has it in its last bits.
     #[inline]
-    pub(super) fn units(&self, value: f64) -> Option<i64> {
+    pub(crate) fn units(&self, value: f64) -> Option<i64> {
         let scaled = (value * self.units_per_one).abs();
         let whole = scaled + NO_FRACTION;
         let is_half_lost = scaled - (whole - NO_FRACTION) >= 0.5;
@@ -49,7 +42,7 @@ mod tests {
 
     #[test]
     fn halves_go_away_from_zero() {
-        let rounding = Rounding::unbounded(&Picture::WHOLE);
+        let rounding = Rounding::new(1, 1_000_000_000_000_000);
         let halves =
             (0..50).flat_map(|n| [1_i64 << n, (1 << n) - 1, 3 << n >> 2]).filter(|n| *n < 1_000_000_000_000_000);
         for half in halves.map(|whole| whole as f64 - 0.5) {
@@ -63,8 +56,8 @@ mod tests {
     #[test]
     fn what_has_too_many_digits() {
         for digits in 1..=15 {
-            let rounding = Rounding::new(&Picture { integer_digits: digits, ..Picture::WHOLE });
-            let greatest = 10_i64.pow(u32::from(digits)) - 1;
+            let too_many = 10_i64.pow(digits);
+            let (rounding, greatest) = (Rounding::new(1, too_many), too_many - 1);
             let end = greatest as f64 + 0.5;
             assert_eq!(rounding.units(end.next_down()), Some(greatest));
             assert_eq!(rounding.units(-end.next_down()), Some(-greatest));

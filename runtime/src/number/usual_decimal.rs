@@ -1,10 +1,10 @@
 //! The usual decimal, eight digits at once: a point and up to eight digits, as nearly every number of a CL file and of a
-//! program is written. [`Decimal`](crate::decimal::Decimal) takes all of them, and says the same.
+//! program is written. [`Decimal`](super::Decimal) takes all of them, and says the same.
 //!
 //! The digits are the bytes of two words, one from the first byte on and one from the second: up to the point they stand
 //! in the one, and behind it, as if it were not there, in the other.
 
-use crate::decimal::quotient;
+use super::decimal::quotient;
 
 /// What is looked at behind the sign: eight digits, the point, and what stands behind.
 const WINDOW_BYTES: usize = 10;
@@ -65,8 +65,8 @@ fn eight_digits(values: u64) -> u64 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Decimal;
     use super::*;
-    use crate::decimal::Decimal;
 
     /// What [`Decimal`] says of it.
     fn expected(text: &[u8]) -> Option<(u64, &[u8])> {
