@@ -1,20 +1,22 @@
 //! From a controller's statements to the dialect that the runtime prints by.
 
+mod address;
 mod beside;
 mod block;
 mod lowering;
 mod motion;
 mod picture;
 mod placeholder;
+mod sequence;
 mod template;
 mod trial;
 mod word;
 
-use crate::syntax::tree::{ControllerStatement, Expression, ExpressionKind, Span, Text};
+use crate::syntax::tree::{ControllerStatement, Span, Text};
 use lowering::Lowering;
 use mach_runtime::diagnostic::{Code, Diagnostic, Place};
 use mach_runtime::machine::Motion;
-use mach_runtime::nc::dialect::{Codes, Dialect, Sequence};
+use mach_runtime::nc::dialect::{Codes, Dialect};
 use mach_runtime::unit::LengthUnit;
 use std::collections::BTreeMap;
 
@@ -22,12 +24,12 @@ use std::collections::BTreeMap;
 pub static CODES: [&Code; 12] = [
     &picture::BAD_PICTURE,
     &word::UNKNOWN_FORMAT,
-    &word::BAD_ADDRESS,
+    &address::BAD_ADDRESS,
     &LACKING,
     &placeholder::UNKNOWN_PLACEHOLDER,
     &placeholder::PLACEHOLDER_ELSEWHERE,
     &motion::INCOMPLETE_MOTION,
-    &BAD_SEQUENCE,
+    &sequence::BAD_SEQUENCE,
     &MODAL_TWICE,
     &lowering::UNPRINTABLE,
     &trial::UNREADABLE_MOTION,
@@ -52,18 +54,6 @@ A controller needs at least the blocks `on rapid` and `on feed`, a word for ever
 
 A block that prints `{offset}`, `{units}` or `{feed_mode}` needs the statement `offset`, `code units` or `code feed`.
 An axis that only this machine has is given its word in the machine's own `controller` block.
-",
-};
-
-/// Sequence numbers that cannot be counted.
-static BAD_SEQUENCE: Code = Code {
-    id: "E0527",
-    title: "sequence numbers are whole numbers from the start to the greatest",
-    explanation: "\
-    sequence \"N\" start 10 step 10 greatest 99999
-
-The numbers are written as digits, without a unit. The step is 1 or more, the greatest not below the start, and at most
-99999999. Behind the greatest, counting begins again at the start. `sequence none` prints no numbers.
 ",
 };
 
@@ -110,6 +100,7 @@ pub fn lower(controller: &Controller<'_>, axes: &[Axis<'_>]) -> Result<Dialect, 
     let mut lowering = Lowering::new(controller);
     let units = units(&lowering);
     let formats = word::formats(&mut lowering, units);
+    address::check(&mut lowering, axes);
     let axis_words = word::axes(&mut lowering, &formats, axes);
     let feed = word::feed(&mut lowering, &formats);
     let comment = comment(&mut lowering);
@@ -123,7 +114,7 @@ pub fn lower(controller: &Controller<'_>, axes: &[Axis<'_>]) -> Result<Dialect, 
         units,
         extension: extension.unwrap_or_else(|| "nc".to_owned()),
         comment,
-        sequence: sequence(&mut lowering),
+        sequence: sequence::sequence(&mut lowering),
         offset: offset.unwrap_or_default(),
         retract,
         codes: codes(&mut lowering, units),
@@ -210,42 +201,4 @@ fn modal_groups(lowering: &mut Lowering<'_>) -> Vec<Vec<String>> {
         groups.push(codes.iter().map(|code| code.value.clone()).collect());
     }
     groups
-}
-
-/// The sequence numbers, if there are any.
-fn sequence(lowering: &mut Lowering<'_>) -> Option<Sequence> {
-    let said = lowering.last(|statement| match statement {
-        ControllerStatement::NoSequence => Some(None),
-        ControllerStatement::Sequence { address, start, step, greatest } => {
-            Some(Some((address, start, step, greatest)))
-        }
-        _ => None,
-    });
-    let (index, (address, start, step, greatest)) = said.and_then(|(index, said)| Some((index, said?)))?;
-    let mut number = |said: &Option<Expression>, least: u64, plain: u64| match said {
-        Some(expression) => whole(lowering, index, expression, least),
-        None => Some(plain),
-    };
-    let start = number(start, 0, 1)?;
-    let step = number(step, 1, 1)?;
-    let greatest = number(greatest, start, MOST_SEQUENCE.min(99_999.max(start)))?;
-    word::address(lowering, index, address);
-    Some(Sequence { address: address.value.clone(), start, step, greatest })
-}
-
-/// The greatest sequence number that any control takes.
-const MOST_SEQUENCE: u64 = 99_999_999;
-
-/// A whole number written as digits.
-fn whole(lowering: &mut Lowering<'_>, index: usize, expression: &Expression, least: u64) -> Option<u64> {
-    let number = match &*expression.value {
-        ExpressionKind::Number { digits, unit: None } => digits.parse().ok(),
-        _ => None,
-    };
-    let number = number.filter(|number| (least..=MOST_SEQUENCE).contains(number));
-    if number.is_none() {
-        let label = format!("a whole number from {least} to {MOST_SEQUENCE} is expected");
-        lowering.report(&BAD_SEQUENCE, "this cannot be a sequence number", index, &expression.span, label);
-    }
-    number
 }

@@ -39,7 +39,22 @@ fn each_mistake_has_its_code_and_place() {
         ("word F feed", "word F fed", ("E0521", "fed")),
         ("word A C length", "word A C C1 length", ("E0522", "C1")),
         ("word A C length", "word A C length as \"A1\"", ("E0522", "\"A1\"")),
-        ("word A C length", "word A C length as \"A=\"", ("E0522", "plain")),
+        ("word A C length", "word A C length as \"A=\"", ("E0522", "\"A=\"")),
+        ("word A C length", "word A length word C length as \"A=\"", ("E0522", "\"A=\"")),
+        ("word A C length", "word A length word C length as \"X\"", ("E0522", "\"X\"")),
+        ("word A C length", "word A length word C length as \"F\"", ("E0522", "\"F\"")),
+        ("word A C length", "word A length word C length as \"N\"", ("E0522", "\"N\"")),
+        ("word A C length", "word A length word C length as \"M\"", ("E0522", "\"M\"")),
+        ("word A C length", "word A length word C length as \"O\"", ("E0522", "\"O\"")),
+        ("word A C length", "word A length word C length as \"M2=\"", ("E0522", "\"M2=\"")),
+        ("word A C length", "word A C G length", ("E0522", "G")),
+        ("word F feed", "word F feed as \"G\"", ("E0522", "\"G\"")),
+        ("word F feed", "word F feed as \"C\"", ("E0522", "C")),
+        ("word F feed", "word F feed word F_revolution feed as \"C\"", ("E0522", "C")),
+        ("sequence \"N\"", "sequence \"F\"", ("E0522", "F")),
+        ("sequence \"N\"", "sequence \"G\"", ("E0522", "\"G\"")),
+        ("sequence \"N\"", "sequence \"M\"", ("E0522", "\"M\"")),
+        ("sequence \"N\"", "sequence \"C=\"", ("E0522", "C")),
         ("word A C length", "word A length", ("E0523", "plain")),
         ("word F feed", "word D feed", ("E0523", "plain")),
         ("on rapid { \"G0 {axes}\" }", "", ("E0523", "plain")),
@@ -142,6 +157,25 @@ fn in_comments_and_quotes_and_beside_other_signs_a_placeholder_may_stand() {
     ] {
         assert_eq!(marks_in_tool(line), [], "{line}");
     }
+}
+
+#[test]
+fn addresses_that_differ_are_right() {
+    for (from, to) in [
+        ("word A C length", "word A length word C length as \"C1=\""),
+        ("word A C length", "word A length as \"C1=\" word C length"),
+        ("word A C length", "word A C length word B length as \"A\""),
+        ("word A C length", "word A length word C length as \"MC=\""),
+        ("word F feed", "word F feed word F_revolution feed as \"F\""),
+        ("sequence \"N\"", "sequence \"B\""),
+    ] {
+        assert_eq!(marks(&changed(from, to)), [], "{to}");
+    }
+    let without_numbers = RIGHT.replace("sequence \"N\" start 1 step 1 greatest 9", "sequence none");
+    assert!(
+        dialect(&without_numbers.replace("C length", "C length as \"N\"").replace("A C", "C"), &["X", "Y", "Z", "C"])
+            .is_ok()
+    );
 }
 
 #[test]

@@ -4,7 +4,7 @@ use super::lowering::{Lowering, inside};
 use super::picture::{self, BAD_PICTURE, PictureError};
 use super::{Axis, LACKING};
 use crate::syntax::spelling::nearest;
-use crate::syntax::tree::{ControllerStatement, Name, Text};
+use crate::syntax::tree::{ControllerStatement, Name, Span, Text};
 use mach_runtime::diagnostic::{Code, Diagnostic, Suggestion};
 use mach_runtime::nc::dialect::Word;
 use mach_runtime::number::Picture;
@@ -24,18 +24,48 @@ A word is printed by a format, which the controller (or the one it is like) must
 ",
 };
 
-/// An address that could be read as something else.
-pub(super) static BAD_ADDRESS: Code = Code {
-    id: "E0522",
-    title: "an address that cannot be read",
-    explanation: "\
-The address of a word is one capital letter, or capital letters and digits with `=` behind them: with `C1` as the
-address, `C15` could be `C1` with the number 5 or `C` with the number 15. No two words of a block can have one address.
+/// The names that are no axes': of the feed a minute and a revolution.
+pub(super) const FEED: &str = "F";
+pub(super) const FEED_PER_REVOLUTION: &str = "F_revolution";
 
-    word X Y Z length
-    word C1 angle as \"C1=\"
-",
-};
+/// What is said of a word.
+pub(super) struct Said<'a> {
+    /// The statement's index.
+    pub(super) index: usize,
+    pub(super) name: &'a Name,
+    pub(super) format: &'a Name,
+    /// Where it is not the name.
+    address: Option<&'a Text>,
+}
+
+impl<'a> Said<'a> {
+    /// The last that is said of the word of this name.
+    pub(super) fn last(lowering: &Lowering<'a>, name: &str) -> Option<Self> {
+        let (index, (name, format, address)) = lowering.last(|statement| match statement {
+            ControllerStatement::Word { names, format, address } => {
+                let name = names.iter().find(|said| said.value == name)?;
+                Some((name, format, address.as_ref()))
+            }
+            _ => None,
+        })?;
+        Some(Self { index, name, format, address })
+    }
+
+    /// What is printed before the number.
+    pub(super) fn address(&self) -> &'a str {
+        self.address.map_or(plain(&self.name.value), |address| &address.value)
+    }
+
+    /// Where that is said.
+    pub(super) fn address_span(&self) -> &'a Span {
+        self.address.map_or(&self.name.span, |address| &address.span)
+    }
+}
+
+/// The name as it is printed.
+fn plain(name: &str) -> &str {
+    if name == FEED_PER_REVOLUTION { FEED } else { name }
+}
 
 /// The pictures by their formats' names, for the program's unit of length; `None` where the picture is wrong.
 pub(super) type Formats<'a> = BTreeMap<&'a str, Option<Picture>>;
@@ -72,27 +102,18 @@ fn parsed<T>(
 
 /// The words of the machine's axes. Words of axes that the machine does not have are only checked.
 pub(super) fn axes(lowering: &mut Lowering<'_>, formats: &Formats<'_>, axes: &[Axis<'_>]) -> Vec<Word> {
-    check_words(lowering, formats);
-    let words: Vec<Word> = axes.iter().filter_map(|axis| required(lowering, formats, axis.name, axis.name)).collect();
-    let mut first: BTreeMap<&str, &str> = BTreeMap::new();
-    for word in words.iter().filter(|word| !word.address.is_empty()) {
-        if let Some(other) = first.insert(&word.address, &word.name) {
-            let message = format!("{other} and {} have the same address `{}`", word.name, word.address);
-            let place = lowering.controller.at.clone();
-            lowering.diagnostics.push(Diagnostic::error(&BAD_ADDRESS, message).at(place, "in this controller"));
-        }
-    }
-    words
+    check_formats(lowering, formats);
+    axes.iter().filter_map(|axis| required(lowering, formats, axis.name, axis.name)).collect()
 }
 
 /// The feed word.
 pub(super) fn feed(lowering: &mut Lowering<'_>, formats: &Formats<'_>) -> Word {
-    required(lowering, formats, "F", "the feed").unwrap_or_else(|| nothing("F"))
+    required(lowering, formats, FEED, "the feed").unwrap_or_else(|| nothing(FEED))
 }
 
 /// The feed word a revolution, where the controller makes a difference.
 pub(super) fn feed_per_revolution(lowering: &mut Lowering<'_>, formats: &Formats<'_>) -> Option<Word> {
-    find(lowering, formats, "F_revolution")
+    find(lowering, formats, FEED_PER_REVOLUTION)
 }
 
 /// A word that must be there; a report, and a word that prints nothing sensible, where it is not.
@@ -109,16 +130,9 @@ fn required(lowering: &mut Lowering<'_>, formats: &Formats<'_>, name: &str, whos
 
 /// The word of this name.
 fn find(lowering: &Lowering<'_>, formats: &Formats<'_>, name: &str) -> Option<Word> {
-    let (_, (format, address)) = lowering.last(|statement| match statement {
-        ControllerStatement::Word { names, format, address } => {
-            names.iter().any(|said| said.value == name).then_some((format, address))
-        }
-        _ => None,
-    })?;
-    let plain = if name == "F_revolution" { "F" } else { name };
-    let address = address.as_ref().map_or(plain, |address| address.value.as_str());
-    let picture = formats.get(format.value.as_str()).cloned().flatten();
-    Some(Word { name: plain.into(), address: address.into(), picture: picture.unwrap_or(Picture::WHOLE) })
+    let said = Said::last(lowering, name)?;
+    let picture = formats.get(said.format.value.as_str()).cloned().flatten();
+    Some(Word { name: plain(name).into(), address: said.address().into(), picture: picture.unwrap_or(Picture::WHOLE) })
 }
 
 /// Stands for a word that has been reported.
@@ -126,16 +140,12 @@ fn nothing(name: &str) -> Word {
     Word { name: name.into(), address: String::new(), picture: Picture::WHOLE }
 }
 
-/// Checks every word: its format is known, its address can be read.
-fn check_words(lowering: &mut Lowering<'_>, formats: &Formats<'_>) {
+/// Checks that the format of every word is known.
+fn check_formats(lowering: &mut Lowering<'_>, formats: &Formats<'_>) {
     for (index, statement) in lowering.statements() {
-        let ControllerStatement::Word { names, format, address: said } = statement else { continue };
+        let ControllerStatement::Word { format, .. } = statement else { continue };
         if !formats.contains_key(format.value.as_str()) {
             report_unknown(lowering, formats, index, format);
-        }
-        match said {
-            Some(said) => address(lowering, index, said),
-            None => names.iter().for_each(|name| own_name(lowering, index, name)),
         }
     }
 }
@@ -151,29 +161,4 @@ fn report_unknown(lowering: &mut Lowering<'_>, formats: &Formats<'_>, index: usi
         diagnostic = diagnostic.suggest(Suggestion { text, place, replacement: meant.to_owned() });
     }
     lowering.diagnostics.push(diagnostic);
-}
-
-/// Checks an address as it was said.
-pub(super) fn address(lowering: &mut Lowering<'_>, index: usize, said: &Text) {
-    if !is_readable(&said.value) {
-        let message = format!("`{}` cannot be read as an address", said.value);
-        lowering.report(&BAD_ADDRESS, message, index, &said.span, "one capital letter, or a longer name and `=`");
-    }
-}
-
-/// Checks the name of an axis as its own address.
-fn own_name(lowering: &mut Lowering<'_>, index: usize, name: &Name) {
-    if !is_readable(&name.value) && name.value != "F_revolution" {
-        let message = format!("`{}` cannot be read as an address", name.value);
-        let label = format!("`as \"{}=\"` would be one", name.value.to_uppercase());
-        lowering.report(&BAD_ADDRESS, message, index, &name.span, label);
-    }
-}
-
-/// One capital letter, or more (with digits) before an equals sign.
-fn is_readable(address: &str) -> bool {
-    let name = address.strip_suffix('=').unwrap_or(address);
-    let letter = name.starts_with(|c: char| c.is_ascii_uppercase());
-    let rest = name.bytes().skip(1).all(|byte| byte.is_ascii_uppercase() || byte.is_ascii_digit());
-    letter && rest && (name.len() == 1 || address.ends_with('='))
 }

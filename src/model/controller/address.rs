@@ -1,0 +1,125 @@
+//! Addresses: each can be read, and stands for one thing.
+
+use super::lowering::Lowering;
+use super::word::{FEED, FEED_PER_REVOLUTION, Said};
+use super::{Axis, sequence};
+use crate::syntax::tree::{ControllerStatement, Name, Span, Text};
+use mach_runtime::diagnostic::{Code, Diagnostic};
+use std::collections::BTreeMap;
+
+/// An address that could be read as something else.
+pub(super) static BAD_ADDRESS: Code = Code {
+    id: "E0522",
+    title: "an address that cannot be read, or that stands for two things",
+    explanation: "\
+The address of a word is one capital letter, or capital letters and digits with `=` behind them: with `C1` as the
+address, `C15` could be `C1` with the number 5 or `C` with the number 15.
+
+    word X Y Z length
+    word C1 angle as \"C1=\"
+
+G, M and O are the addresses of every control's own codes and programs, and no two of the words and the sequence numbers
+have the same address; `C` and `C=` are the same.
+
+    word C angle as \"M\"        // M30 would be the end of the program
+    sequence \"F\"               // F12 G1 Z10. F1200.
+",
+};
+
+/// An address that programs for the machine have.
+struct Address<'a> {
+    /// What it stands for.
+    whose: &'a str,
+    text: &'a str,
+    /// Where it is said.
+    index: usize,
+    span: &'a Span,
+}
+
+/// Checks every address that is said, and that those of the machine's words and of the sequence numbers differ.
+pub(super) fn check(lowering: &mut Lowering<'_>, axes: &[Axis<'_>]) {
+    for (index, statement) in lowering.statements() {
+        match statement {
+            ControllerStatement::Word { names, address: None, .. } => {
+                let names = names.iter().filter(|name| name.value != FEED_PER_REVOLUTION);
+                names.for_each(|name| own_name(lowering, index, name));
+            }
+            ControllerStatement::Word { address: Some(text), .. }
+            | ControllerStatement::Sequence { address: text, .. } => said(lowering, index, text),
+            _ => {}
+        }
+    }
+    report_shared(lowering, &in_programs(lowering, axes));
+}
+
+/// Checks an address as it was said.
+fn said(lowering: &mut Lowering<'_>, index: usize, text: &Text) {
+    if !is_readable(&text.value) {
+        let message = format!("`{}` cannot be read as an address", text.value);
+        lowering.report(&BAD_ADDRESS, message, index, &text.span, "one capital letter, or a longer name and `=`");
+    } else if is_the_controls(&text.value) {
+        report_the_controls(lowering, index, &text.value, &text.span);
+    }
+}
+
+/// Checks the name of an axis as its own address.
+fn own_name(lowering: &mut Lowering<'_>, index: usize, name: &Name) {
+    if !is_readable(&name.value) {
+        let message = format!("`{}` cannot be read as an address", name.value);
+        let label = format!("`as \"{}=\"` would be one", name.value.to_uppercase());
+        lowering.report(&BAD_ADDRESS, message, index, &name.span, label);
+    } else if is_the_controls(&name.value) {
+        report_the_controls(lowering, index, &name.value, &name.span);
+    }
+}
+
+/// One capital letter, or more (with digits) before an equals sign.
+fn is_readable(address: &str) -> bool {
+    let name = address.strip_suffix('=').unwrap_or(address);
+    let letter = name.starts_with(|c: char| c.is_ascii_uppercase());
+    let rest = name.bytes().skip(1).all(|byte| byte.is_ascii_uppercase() || byte.is_ascii_digit());
+    letter && rest && (name.len() == 1 || address.ends_with('='))
+}
+
+/// Whether it is the address of codes or of programs, perhaps with a number of its own (`M2=30`).
+fn is_the_controls(address: &str) -> bool {
+    matches!(address.trim_end_matches(|c: char| c == '=' || c.is_ascii_digit()), "G" | "M" | "O")
+}
+
+fn report_the_controls(lowering: &mut Lowering<'_>, index: usize, address: &str, span: &Span) {
+    let message = format!("`{address}` cannot be an address of one's own");
+    lowering.report(&BAD_ADDRESS, message, index, span, "G, M and O begin codes and programs");
+}
+
+/// The addresses of the sequence numbers, the feed and the machine's axes.
+fn in_programs<'a>(lowering: &Lowering<'a>, axes: &[Axis<'a>]) -> Vec<Address<'a>> {
+    let sequence = sequence::address(lowering).map(|(index, text)| Address {
+        whose: "the sequence numbers",
+        text: &text.value,
+        index,
+        span: &text.span,
+    });
+    let word = |name, whose| {
+        let said = Said::last(lowering, name)?;
+        Some(Address { whose, text: said.address(), index: said.index, span: said.address_span() })
+    };
+    let feeds = [FEED, FEED_PER_REVOLUTION].into_iter().filter_map(|name| word(name, "the feed"));
+    let axes = axes.iter().filter_map(|axis| word(axis.name, axis.name));
+    sequence.into_iter().chain(feeds).chain(axes).collect()
+}
+
+/// Reports an address that stands for two things.
+fn report_shared(lowering: &mut Lowering<'_>, addresses: &[Address<'_>]) {
+    let mut first: BTreeMap<&str, &Address<'_>> = BTreeMap::new();
+    for address in addresses {
+        let bare = address.text.trim_end_matches('=');
+        let other = *first.entry(bare).or_insert(address);
+        if other.whose != address.whose {
+            let message = format!("{} and {} have the same address `{bare}`", other.whose, address.whose);
+            let diagnostic = Diagnostic::error(&BAD_ADDRESS, message)
+                .at(lowering.place(address.index, address.span), format!("that of {}", address.whose))
+                .at(lowering.place(other.index, other.span), format!("that of {}", other.whose));
+            lowering.diagnostics.push(diagnostic);
+        }
+    }
+}
