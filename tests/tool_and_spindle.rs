@@ -73,3 +73,17 @@ fn a_block_with_the_tool_s_register_needs_a_tool() {
     let lines = lines("no-register", "siemens", &operation(spindle));
     assert!(lines.contains(&"G1 Z-1 F500".into()), "its blocks of motion print no register: {lines:?}");
 }
+
+#[test]
+fn a_cut_with_a_standing_spindle_is_told_once() {
+    let (tool, on, off) = ("LOAD/TOOL,1\n", "SPINDL/RPM,8000,CLW\n", "SPINDL/OFF\n");
+    let never = operation(tool) + &operation(tool);
+    let no_longer = operation(&format!("{tool}{on}")) + off + &operation("");
+    for (name, cl, line) in [("never", never, 6), ("no-longer", no_longer, 17)] {
+        let Run { status, stderr, .. } = post(name, "syntec", &cl);
+        assert_eq!((status, stderr.matches("warning[").count()), (0, 1), "{stderr}");
+        assert!(stderr.contains("warning[W1105]: a motion at feed while the spindle stands"), "{stderr}");
+        assert!(stderr.contains(&format!("--> part.cls:{line}:1")), "{stderr}");
+    }
+    lines("in-rapid", "syntec", &format!("{}{off}RAPID\nGOTO/0,0,100\n", operation(&format!("{tool}{on}"))));
+}

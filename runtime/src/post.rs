@@ -23,7 +23,7 @@ use std::num::NonZeroUsize;
 pub use between::OFF_THE_LINE;
 pub use refusal::{
     INSIDE_DEAD_RADIUS, NO_FEED_RATE, NOT_COMPENSATED, OFF_PLANE, OUT_OF_REACH, OUT_OF_TRAVEL, REPOSITION,
-    REPOSITION_WARNING, SINGULAR, TOO_MANY_ERRORS,
+    REPOSITION_WARNING, SINGULAR, SPINDLE_STANDS, TOO_MANY_ERRORS,
 };
 
 /// What is posted, and for whom.
@@ -66,7 +66,7 @@ pub(crate) fn post<R: Read, K: Kinematics + Clone + Send>(
 }
 
 /// The codes that a post may raise by itself.
-pub static CODES: [&Code; 11] = [
+pub static CODES: [&Code; 12] = [
     &OUT_OF_REACH,
     &OUT_OF_TRAVEL,
     &REPOSITION,
@@ -77,5 +77,6 @@ pub static CODES: [&Code; 11] = [
     &OFF_PLANE,
     &REPOSITION_WARNING,
     &NO_FEED_RATE,
+    &SPINDLE_STANDS,
     &OFF_THE_LINE,
 ];

@@ -12,6 +12,8 @@ pub(super) struct InForce {
     tool_name: String,
     text: String,
     tool: Option<LoadedTool>,
+    /// What switches the spindle on as it turns; none while it stands.
+    spindle: Option<Trigger>,
     speed_rpm: f64,
     dwell_s: f64,
 }
@@ -30,9 +32,12 @@ impl InForce {
             }
             Command::SpindleOn(direction, speed_rpm) => {
                 self.speed_rpm = speed_rpm;
-                spindle(direction)
+                *self.spindle.insert(spindle(direction))
             }
-            Command::SpindleOff => Trigger::SpindleOff,
+            Command::SpindleOff => {
+                self.spindle = None;
+                Trigger::SpindleOff
+            }
             Command::CoolantOn(kind) => coolant(kind),
             Command::CoolantOff => Trigger::CoolantOff,
             Command::Stop => Trigger::Stop,
@@ -46,6 +51,11 @@ impl InForce {
                 Trigger::Message
             }
         })
+    }
+
+    /// Whether the spindle turns.
+    pub(super) fn spindle_turns(&self) -> bool {
+        self.spindle.is_some()
     }
 
     /// What the placeholders stand for.

@@ -2,7 +2,7 @@
 
 use super::in_force::InForce;
 use super::stretch::{PrintedPoint, Stretch};
-use super::{Job, NO_FEED_RATE, TOO_MANY_ERRORS, refusal};
+use super::{Job, NO_FEED_RATE, SPINDLE_STANDS, TOO_MANY_ERRORS, refusal};
 use crate::branch::{Candidate, Choice};
 use crate::cl::Next;
 use crate::cl::event::{Approach, Command, Point};
@@ -26,6 +26,8 @@ pub(super) struct Printer<'a> {
     errors: u32,
     has_begun: bool,
     without_feed: bool,
+    /// Whether a cut with a standing spindle is worth telling: the controller can switch it on, and it has not been told.
+    expects_spindle: bool,
     in_force: InForce,
 }
 
@@ -38,6 +40,7 @@ impl<'a> Printer<'a> {
             errors: 0,
             has_begun: false,
             without_feed: false,
+            expects_spindle: job.dialect.block(Trigger::SpindleClockwise).is_some(),
             in_force: InForce::default(),
         }
     }
@@ -111,7 +114,8 @@ impl<'a> Printer<'a> {
             }
             None => diagnostics.extend(refusal::of(*job, solved)),
         });
-        self.warn_without_feed(block, stretch);
+        self.warn_without_feed(block.clone(), stretch);
+        self.warn_without_spindle(block, stretch);
         diagnostics.into_iter().for_each(|diagnostic| self.tell(diagnostic, stretch));
     }
 
@@ -123,6 +127,20 @@ impl<'a> Printer<'a> {
             let message = "a motion at feed stands before any feed rate; its block has no feed word";
             let place = Place::line(self.job.file, point.line);
             self.tell(Diagnostic::warning(&NO_FEED_RATE, message).at(place, "no FEDRAT before it"), stretch);
+        }
+    }
+
+    /// A motion at feed while the spindle stands is legal CL, too.
+    fn warn_without_spindle(&mut self, block: Range<usize>, stretch: &mut Stretch) {
+        if !self.expects_spindle || self.in_force.spindle_turns() {
+            return;
+        }
+        let cut = stretch.points[block].iter().find(|point| matches!(point.approach, Approach::Feed(_)));
+        if let Some(point) = cut {
+            self.expects_spindle = false;
+            let place = Place::line(self.job.file, point.line);
+            let warning = Diagnostic::warning(&SPINDLE_STANDS, "a motion at feed while the spindle stands");
+            self.tell(warning.at(place, "no SPINDL is in force"), stretch);
         }
     }
 

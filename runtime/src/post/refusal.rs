@@ -126,6 +126,18 @@ The CL moves at feed before it has given any FEDRAT. The blocks are written with
 there with an alarm. Give the feed rate in the CAM system.",
 };
 
+/// W1105.
+pub static SPINDLE_STANDS: Code = Code {
+    id: "W1105",
+    title: "a motion at feed while the spindle stands",
+    explanation: "\
+The CL moves at feed before any SPINDL has switched the spindle on, or after SPINDL/OFF. The program is written so: the tool
+goes into the material without turning, unless it is a probe or the machine's own programs switch the spindle on. Reported
+once a file, and not for a controller without a block `on spindle clockwise`. Have the CAM system put out the speed:
+
+    SPINDL/RPM,8000,CLW",
+};
+
 /// Why a point cannot be posted, if it cannot.
 pub(super) fn of(job: Job<'_>, solved: &Solved<'_>) -> Option<Diagnostic> {
     let place = Place::line(job.file, solved.point.line);
