@@ -9,6 +9,7 @@ pub mod branch;
 pub mod certificate;
 pub mod cl;
 pub mod compensation;
+pub mod coordinates;
 pub mod diagnostic;
 pub mod error_table;
 pub mod kinematics;

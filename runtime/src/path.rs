@@ -3,9 +3,9 @@
 use crate::branch::{Candidate, Choice, Chooser, Solutions, surplus};
 use crate::cl::event::{Approach, Point};
 use crate::compensation::Compensated;
+use crate::coordinates::in_machine_frame;
 use crate::kinematics::{Kinematics, LANES, Lane, PoseBlock};
 use crate::machine::Machine;
-use crate::vector::add;
 use std::ops::Range;
 
 /// How far a surplus axis may be from where it was and still stand there, in millimetres or degrees: rounding is no jump.
@@ -93,7 +93,7 @@ impl<'a> PathSolver<'a> {
         assert!(points.len() <= LANES, "a block holds {LANES} points");
         for lane in 0..LANES {
             let point = points.get(lane).unwrap_or(last);
-            self.poses.set(lane, add(point.tip_mm, self.machine.zero_mm), point.axis);
+            self.poses.set(lane, in_machine_frame(self.machine, point.tip_mm), point.axis);
         }
         self.surplus.set(self.wanted());
         self.invert();

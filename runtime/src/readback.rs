@@ -4,10 +4,10 @@
 //! its value until it is given again. What is read is the text of motions: blocks that send an axis elsewhere for once
 //! (`G53 Z0.`) are not for this reader, and the writer prints every axis after them.
 
-use crate::machine::{Axis, Motion};
+use crate::coordinates::{AxisOffset, word_unit};
+use crate::machine::Axis;
 use crate::nc::dialect::Dialect;
 use crate::number::{Decimal, usual_decimal};
-use crate::unit::LengthUnit;
 use std::cmp::Reverse;
 use std::fmt;
 use std::ops::Range;
@@ -19,6 +19,7 @@ pub struct ReadBack {
     begins: [Begins; 256],
     /// What the axes' words mean, in the machine's order.
     meanings: Vec<Meaning>,
+    tool_length_mm: f64,
     /// Where the axes are.
     joints: Vec<f64>,
     /// The axes that have never been given, the first one in the lowest bit.
@@ -48,10 +49,8 @@ enum Begins {
 #[derive(Debug)]
 struct Meaning {
     /// Millimetres or degrees in the word's unit.
-    scale: f64,
-    zero: f64,
-    /// What the length of the tool adds.
-    length_mm: f64,
+    unit: f64,
+    offset: AxisOffset,
 }
 
 /// How an axis' word begins, and how it might be taken to begin.
@@ -94,14 +93,12 @@ impl ReadBack {
         let words: Vec<AxisWord> = words.collect();
         let mut by_address: Vec<usize> = (0..words.len()).collect();
         by_address.sort_by_key(|&axis| Reverse(words[axis].address.len()));
-        let meaning = |axis: &Axis| Meaning {
-            scale: millimetres_or_degrees(axis.motion, dialect.units),
-            zero: axis.zero,
-            length_mm: axis.length_share * tool_length_mm,
-        };
+        let meaning =
+            |axis: &Axis| Meaning { unit: word_unit(axis.motion, dialect.units), offset: AxisOffset::of(axis) };
         Self {
             begins: std::array::from_fn(|byte| begins(byte as u8, &words, &comment.0)),
             meanings: axes.iter().map(meaning).collect(),
+            tool_length_mm,
             joints: vec![0.0; axes.len()],
             missing: (0..axes.len()).map(|axis| 1 << axis).sum(),
             words,
@@ -186,7 +183,7 @@ impl ReadBack {
         if first {
             *given |= bit;
             let word = &self.meanings[axis];
-            self.joints[axis] = value * word.scale + word.zero + word.length_mm;
+            self.joints[axis] = word.offset.joint(value * word.unit, self.tool_length_mm);
         }
         first
     }
@@ -246,14 +243,6 @@ fn begins(byte: u8, axes: &[AxisWord], comment: &[u8]) -> Begins {
             Begins::OtherWord
         }
         _ => Begins::Unsure,
-    }
-}
-
-/// What a word's unit is in millimetres or degrees.
-fn millimetres_or_degrees(motion: Motion, units: LengthUnit) -> f64 {
-    match motion {
-        Motion::Linear => units.mm(),
-        Motion::Rotary => 1.0,
     }
 }
 

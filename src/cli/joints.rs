@@ -8,9 +8,9 @@ use mach_command::output::Lines;
 use mach_command::progress::watched;
 use mach_command::report::Report;
 use mach_runtime::compensation::Compensated;
+use mach_runtime::coordinates::from_program_zero;
 use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock};
 use mach_runtime::machine::Machine;
-use mach_runtime::vector::sub;
 use machc::diagnostic::{Code, Diagnostic, Place};
 use machc::plan::Interpreter;
 use serde::Serialize;
@@ -119,7 +119,8 @@ fn pose(machine: &Machine, kinematics: &mut dyn Kinematics, values: &[f64], line
     let mut poses = PoseBlock::ZERO;
     kinematics.forward(&joints, machine.tool(), &mut poses);
     let unsigned_zero = |vector: [f64; 3]| vector.map(|component| component + 0.0);
-    Pose { line, tip_mm: unsigned_zero(sub(poses.tip(0), machine.zero_mm)), axis: unsigned_zero(poses.axis(0)) }
+    let tip_mm = from_program_zero(machine, poses.tip(0));
+    Pose { line, tip_mm: unsigned_zero(tip_mm), axis: unsigned_zero(poses.axis(0)) }
 }
 
 fn refused(file: &str, line: u64, text: &str, message: String) -> Diagnostic {

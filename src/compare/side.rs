@@ -5,12 +5,13 @@ use mach_runtime::branch::{Candidate, Choice};
 use mach_runtime::certificate::Range;
 use mach_runtime::cl::event::Point;
 use mach_runtime::compensation::Compensated;
+use mach_runtime::coordinates::{AxisOffset, from_program_zero};
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Miss, PoseBlock};
 use mach_runtime::machine::Machine;
 use mach_runtime::nc::axis_word::AxisWord;
 use mach_runtime::path::{PathSolver, Solved};
 use mach_runtime::rig::Rig;
-use mach_runtime::vector::{Vec3, sub};
+use mach_runtime::vector::Vec3;
 
 /// Why a machine does not go to a point.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -111,12 +112,12 @@ impl<'a> Walker<'a> {
     pub(super) fn poses(&mut self, words: &[Option<Vec<f64>>]) -> impl Fn(usize) -> (Vec3, Vec3) + use<'_, 'a> {
         let tool = self.machine.tool();
         for (lane, words) in words.iter().enumerate().filter_map(|(lane, words)| Some((lane, words.as_ref()?))) {
-            for ((joint, axis), word) in self.joints.iter_mut().zip(&self.words).zip(words) {
-                joint[lane] = axis.joint(*word, tool.length_mm);
+            for ((joint, axis), word) in self.joints.iter_mut().zip(&self.machine.axes).zip(words) {
+                joint[lane] = AxisOffset::of(axis).joint(*word, tool.length_mm);
             }
         }
         self.forward.forward(&self.joints, tool, &mut self.poses);
-        |lane| (sub(self.poses.tip(lane), self.machine.zero_mm), self.poses.axis(lane))
+        |lane| (from_program_zero(self.machine, self.poses.tip(lane)), self.poses.axis(lane))
     }
 }
 

@@ -7,10 +7,11 @@ use mach_runtime::certificate::Extreme;
 use mach_runtime::cl::event::Point;
 use mach_runtime::cl::{Next, Reader};
 use mach_runtime::compensation::Compensated;
+use mach_runtime::coordinates::in_machine_frame;
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, Miss, Pole, PoseBlock, SolutionBlock};
 use mach_runtime::machine::{Machine, ToolGeometry};
 use mach_runtime::path::PathSolver;
-use mach_runtime::vector::{Vec3, add, angle_rad, norm, sub};
+use mach_runtime::vector::{Vec3, angle_rad, norm, sub};
 use std::io::{self, Read};
 use std::time::Duration;
 
@@ -123,7 +124,7 @@ impl<'a> Run<'a> {
         });
         self.forward.forward(joints, machine.tool(), &mut self.poses);
         for (lane, point) in points.iter().enumerate().filter(|(lane, _)| reached[*lane]) {
-            let tip = add(point.tip_mm, machine.zero_mm);
+            let tip = in_machine_frame(machine, point.tip_mm);
             found.tip_mm.meet(norm(sub(self.poses.tip(lane), tip)), point.line);
             found.axis_rad.meet(angle_rad(self.poses.axis(lane), point.axis), point.line);
         }

@@ -3,6 +3,7 @@
 use super::dialect::Word;
 use super::printed_word::PrintedWord;
 use super::write_error::WriteError;
+use crate::coordinates::{AxisOffset, word_unit};
 use crate::machine::{Axis, Motion, Retract, Written};
 use crate::number::{Picture, Rounding};
 use crate::unit::LengthUnit;
@@ -11,8 +12,7 @@ use crate::unit::LengthUnit;
 #[derive(Debug)]
 pub struct AxisWord {
     printed: PrintedWord,
-    zero: f64,
-    length_share: f64,
+    offset: AxisOffset,
     /// Words' units in a millimetre or a degree.
     scale: f64,
     rounding: Rounding,
@@ -48,18 +48,14 @@ impl Turn {
 impl AxisWord {
     /// The word of an axis, in a program in these units.
     pub fn new(word: &Word, axis: &Axis, units: LengthUnit) -> Self {
-        let scale = match axis.motion {
-            Motion::Linear => 1.0 / units.mm(),
-            Motion::Rotary => 1.0,
-        };
         let turn = match axis.written {
             Written::Wrapped { from_deg } if axis.motion == Motion::Rotary => Some(Turn::new(from_deg, &word.picture)),
             _ => None,
         };
         let picture = &word.picture;
         let rounding = if turn.is_some() { picture.unbounded_rounding() } else { picture.rounding() };
-        let printed = PrintedWord::new(word.clone());
-        Self { printed, zero: axis.zero, length_share: axis.length_share, scale, rounding, turn }
+        let (offset, scale) = (AxisOffset::of(axis), 1.0 / word_unit(axis.motion, units));
+        Self { printed: PrintedWord::new(word.clone()), offset, scale, rounding, turn }
     }
 
     /// The units to print for a joint value in machine coordinates; nothing when the word has too few digits. A turn is
@@ -82,7 +78,7 @@ impl AxisWord {
     /// The value in the word's unit.
     #[inline]
     fn value_at(&self, joint: f64, tool_length_mm: f64) -> f64 {
-        (joint - self.zero - self.length_share * tool_length_mm) * self.scale
+        self.offset.programmed(joint, tool_length_mm) * self.scale
     }
 
     /// The units to print for the way out, as the machine counts it: at the end of the travel, or just within it. Zero
@@ -105,11 +101,6 @@ impl AxisWord {
     /// What so many units mean: millimetres or degrees from the program zero.
     pub fn value(&self, units: i64) -> f64 {
         self.printed.word.picture.value(units) / self.scale
-    }
-
-    /// Where a control takes the axis for a value in the program: machine coordinates.
-    pub fn joint(&self, value: f64, tool_length_mm: f64) -> f64 {
-        value + self.zero + self.length_share * tool_length_mm
     }
 
     /// How many bytes the word and a blank behind it take at most.

@@ -5,10 +5,10 @@ use super::stretch::{PrintedPoint, Stretch};
 use crate::certificate::{Certificate, Deviation, Way};
 use crate::cl::event::{Approach, Point};
 use crate::compensation::Compensated;
+use crate::coordinates::in_machine_frame;
 use crate::kinematics::{JointBlock, Kinematics, LANES, PoseBlock};
 use crate::readback::ReadBack;
 use crate::segment::Segments;
-use crate::vector::add;
 use std::io::{self, Write};
 
 /// Checks a program as it comes.
@@ -98,7 +98,7 @@ impl<'a, K: Kinematics> Checker<'a, K> {
         kinematics.forward(joints, machine.tool(), poses);
         for (lane, printed) in printed.iter().enumerate() {
             let Point { tip_mm, axis, .. } = points[printed.point];
-            wanted.set(lane, add(tip_mm, machine.zero_mm), axis);
+            wanted.set(lane, in_machine_frame(machine, tip_mm), axis);
         }
         let deviations = deviations(wanted, poses);
         for (printed, deviation) in printed.iter().zip(deviations) {
