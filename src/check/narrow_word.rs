@@ -7,6 +7,7 @@ use crate::model::quantity::readable;
 use crate::model::source::Located;
 use crate::model::tables;
 use crate::syntax::tree::ControllerStatement;
+use mach_runtime::coordinates::AxisOffset;
 use mach_runtime::machine::{Axis, Motion, Written};
 use mach_runtime::nc::dialect::Word;
 use mach_runtime::unit::LengthUnit;
@@ -23,7 +24,7 @@ axis within its travel must fit (an axis without limits and written `unwound` is
     format length \"###.###\"         // at most 999.999
     word X length                    // X1200. does not fit
 
-Positions are counted from the program zero, which `zero` places in the machine frame.
+Positions are counted from the program zero, which `zero` places in the machine frame, to the tip of the tool.
 ",
 };
 
@@ -32,7 +33,7 @@ pub(crate) fn check(model: &Model, draft: &Draft<'_>, statements: &[Located<Cont
     let Some(dialect) = &model.dialect else { return Vec::new() };
     let machine = tables::machine(model);
     let narrow = machine.axes.iter().zip(&dialect.axes).filter_map(|(axis, word)| {
-        let greatest = greatest_written(axis, word, dialect.units)?;
+        let greatest = greatest_written(axis, machine.tool().length_mm, word, dialect.units)?;
         word.picture.units(greatest).is_none().then_some((axis, word, greatest))
     });
     narrow.map(|(axis, word, greatest)| report(draft, statements, axis, word, greatest)).collect()
@@ -63,11 +64,12 @@ fn report(
 }
 
 /// The greatest magnitude that the program may show; `None` without a limit.
-fn greatest_written(axis: &Axis, word: &Word, units: LengthUnit) -> Option<f64> {
+fn greatest_written(axis: &Axis, tool_length_mm: f64, word: &Word, units: LengthUnit) -> Option<f64> {
+    let programmed = |joint: f64| AxisOffset::of(axis).programmed(joint, tool_length_mm) / units.mm();
     let [lower, upper] = match (axis.motion, axis.written) {
         (Motion::Rotary, Written::Wrapped { from_deg }) => [from_deg, from_deg + 360.0 - word.picture.value(1)],
         (Motion::Rotary, Written::Unwound) => [axis.travel.lower, axis.travel.upper],
-        (Motion::Linear, _) => [axis.travel.lower, axis.travel.upper].map(|end_mm| (end_mm - axis.zero) / units.mm()),
+        (Motion::Linear, _) => [axis.travel.lower, axis.travel.upper].map(programmed),
     };
     Some(lower.abs().max(upper.abs())).filter(|greatest| greatest.is_finite())
 }
