@@ -9,7 +9,7 @@ use proptest::prelude::*;
 mod generator;
 
 fn parsed(text: &str) -> File {
-    parse("t.mach", text).unwrap_or_else(|errors| panic!("{text}\n{errors:#?}"))
+    parse("t.mach", text).whole().unwrap_or_else(|errors| panic!("{text}\n{errors:#?}"))
 }
 
 fn assert_printed(source: &str, expected: &str) {
@@ -82,7 +82,8 @@ proptest! {
     #[test]
     fn parsing_what_was_printed_gives_the_same_tree(file in generator::file()) {
         let text = print(&file);
-        let parsed = parse("t.mach", &text).map_err(|errors| TestCaseError::fail(format!("{text}\n{errors:#?}")))?;
+        let parsed = parse("t.mach", &text).whole();
+        let parsed = parsed.map_err(|errors| TestCaseError::fail(format!("{text}\n{errors:#?}")))?;
         prop_assert_eq!(shape(&parsed), shape(&file), "{}", text);
         prop_assert_eq!(print(&parsed), text);
     }
@@ -95,8 +96,8 @@ proptest! {
         cut.sort_unstable();
         text.splice(cut[0]..cut[1].min(cut[0] + 5), inserted.chars());
         let text: String = text.into_iter().collect();
-        match parse("t.mach", &text) {
-            Ok(parsed) => prop_assert_eq!(shape(&parsed), shape(&parse("t.mach", &print(&parsed)).unwrap())),
+        match parse("t.mach", &text).whole() {
+            Ok(parsed) => prop_assert_eq!(shape(&parsed), shape(&parse("t.mach", &print(&parsed)).whole().unwrap())),
             Err(errors) => prop_assert!(!errors.is_empty()),
         }
     }

@@ -42,7 +42,7 @@ fn every_example_is_taken_and_laid_out_as_the_printer_would() {
     let examples = examples();
     assert!(examples.len() >= 15, "only {} examples were found", examples.len());
     for Example { line, text } in examples {
-        match parse("example.mach", &text) {
+        match parse("example.mach", &text).whole() {
             Ok(file) => assert_eq!(print(&file), text, "the example at line {line} is not in the canonical form"),
             Err(errors) => panic!("the example at line {line} is refused: {errors:#?}\n{text}"),
         }

@@ -9,12 +9,12 @@ const TRUNNION: &str = include_str!("syntax/trunnion.mach");
 const CONTROLLER: &str = include_str!("syntax/controller.mach");
 
 fn errors(text: &str) -> Vec<Diagnostic> {
-    parse("t.mach", text).expect_err("the text should be refused")
+    parse("t.mach", text).whole().expect_err("the text should be refused")
 }
 
 #[test]
 fn the_trunnion_is_taken() {
-    let file = parse("t.mach", TRUNNION).unwrap_or_else(|errors| panic!("{errors:#?}"));
+    let file = parse("t.mach", TRUNNION).whole().unwrap_or_else(|errors| panic!("{errors:#?}"));
     assert_eq!(file.body.statements.len(), 2);
     let Item::Machine(machine) = &file.body.statements[1].node else { panic!("a machine") };
     assert_eq!(machine.name.value, "tmv710a");
@@ -26,7 +26,7 @@ fn the_trunnion_is_taken() {
 
 #[test]
 fn the_controller_is_taken() {
-    let file = parse("t.mach", CONTROLLER).unwrap_or_else(|errors| panic!("{errors:#?}"));
+    let file = parse("t.mach", CONTROLLER).whole().unwrap_or_else(|errors| panic!("{errors:#?}"));
     let Item::Controller(controller) = &file.body.statements[0].node else { panic!("a controller") };
     assert_eq!(controller.body.statements.len(), 20);
 }
@@ -173,10 +173,22 @@ fn characters_and_braces_are_looked_at_first() {
 }
 
 #[test]
-fn a_brace_that_is_missing_is_looked_for_by_indentation() {
-    let errors = errors("machine m {\n    branch {\n        start nearest\n    controller s {\n    }\n}\n");
-    let places: Vec<_> = errors[0].labels.iter().map(|label| label.place.line).collect();
-    assert_eq!((errors.len(), errors[0].code.id, places), (1, "E0105", vec![1, 2]));
+fn a_brace_without_a_partner_is_looked_for_by_indentation() {
+    let block = "    branch {\n        start nearest\n    }\n";
+    let rest = "    liner X\n    controller s {\n        on start {\n        }\n    }\n";
+    let with = |block: &str| found(&format!("machine m {{\n{block}{rest}}}\n"));
+    let unknown = ("E0108", 5, 5);
+    assert_eq!(with(block), [unknown]);
+    assert_eq!(with(&block.replace("    }\n", "\n")), [("E0105", 2, 12), unknown], "the block is never closed");
+    assert_eq!(with(&block.replace("    }", "    } }")), [("E0105", 4, 7), unknown], "closes the machine too early");
+    assert_eq!(with(&block.replace("branch {", "branch  ")), [("E0107", 2, 11), unknown], "told where it belongs");
+    assert_eq!(found(&format!("machine m\n{block}{rest}}}\n")), [("E0107", 1, 10)], "the rest belongs to it");
+    let crowded = "machine m {\nbranch {\nstart nearest\nliner X\nlinear Y along +y\n}\n";
+    assert_eq!(found(crowded), [("E0105", 1, 11), ("E0108", 4, 1)], "the indentation does not tell");
+    assert_eq!(
+        found("machine m {\n    branch {\n        start lea"),
+        [("E0105", 1, 11), ("E0105", 2, 12), ("E0107", 3, 15)]
+    );
 }
 
 #[test]
@@ -185,12 +197,17 @@ fn one_mistake_is_told_once() {
     assert_eq!(found("machin m {\n linear X along +x\n branch { start nearest }\n}\nuse \"a\"\n"), [("E0108", 1, 1)]);
     let spread = "linear X along +x\n  travel 0 . 1\n  rapid 5\nzero 0";
     assert_eq!(found(&in_machine(spread)), [("E0107", 3, 12)]);
+    assert_eq!(found(&in_machine("chain w C $\n  b X Y\n  Z t\nX along +x")), [("E0107", 2, 11), ("E0108", 5, 1)]);
+    for characters in ["extension \"nc", "extension nc\"", "extension \"n\\c\"", "ex\u{7}tension \"nc\""] {
+        let text = format!("controller c {{\n{characters}\non end {{ \"M30 }}\nlinear X\n}}");
+        assert_eq!(found(&text).iter().map(|it| it.1).collect::<Vec<_>>(), [2, 3, 4], "{characters}");
+    }
 }
 
 #[test]
 fn nesting_and_length_have_bounds() {
     let nested = |depth: usize| in_machine(&format!("let a = {}1{}", "(".repeat(depth), ")".repeat(depth)));
-    assert!(parse("t.mach", &nested(60)).is_ok());
+    assert!(parse("t.mach", &nested(60)).whole().is_ok());
     assert_eq!(told(&nested(100_000)), "E0106 2:72 more than 64 braces and parentheses are open here");
     assert_eq!(found(&"{".repeat(100_000)), [("E0106", 1, 65)]);
     for repeated in ["-", "1 ^ ", "1 + ", "1, "] {
@@ -203,7 +220,7 @@ fn nesting_and_length_have_bounds() {
 #[test]
 fn a_large_file_is_read_and_a_bad_one_given_up() {
     let statements = "let a = 1 mm // one of many\n".repeat(50_000);
-    assert!(parse("t.mach", &in_machine(&statements)).is_ok());
+    assert!(parse("t.mach", &in_machine(&statements)).whole().is_ok());
     for garbage in ["% ", "liner\n", "\"x\" ", "let a = $\n", "// c\n", "let a = ((((1\n"] {
         let text = in_machine(&format!("%{}", garbage.repeat((1 << 20) / garbage.len())));
         let errors = errors(&text).len();

@@ -32,7 +32,7 @@ pub(super) fn run(arguments: Arguments, report: &mut Report) -> Result<Status, F
 
 fn format(file: &str, check: bool, report: &Report) -> Result<Status, Failure> {
     let text = text(file).map_err(|error| cannot_read(file, &error))?;
-    let canonical = match parse(shown(file), &text) {
+    let canonical = match parse(shown(file), &text).whole() {
         Ok(tree) => printed(&tree),
         Err(diagnostics) => return Ok(report.tell(&diagnostics)),
     };

@@ -11,7 +11,7 @@ use mach_command::output::print;
 use mach_command::report::Report;
 use machc::syntax::parse::parse;
 use machc::syntax::spelling::nearest;
-use machc::syntax::tree::Item;
+use machc::syntax::tree::{File, Item};
 
 use super::builtin;
 
@@ -106,8 +106,8 @@ fn named(family: &Family, file: &str) -> Result<String, Failure> {
     let name = Path::new(file).file_stem().and_then(OsStr::to_str).unwrap_or_default();
     let text = family.text.replace("NAME", name);
     let is_so_named = |item: &Item| matches!(item, Item::Machine(machine) if machine.name.value == name);
-    let is_sound =
-        parse(file, &text).is_ok_and(|tree| tree.body.statements.iter().any(|stated| is_so_named(&stated.node)));
+    let is_said = |tree: File| tree.body.statements.iter().any(|stated| is_so_named(&stated.node));
+    let is_sound = parse(file, &text).whole().is_ok_and(is_said);
     let no_name =
         "cannot be a machine's name: take a letter, then letters, digits and `_`, and no word of the language";
     if is_sound { Ok(text) } else { Err(Failure(format!("`{name}` {no_name}"))) }

@@ -128,7 +128,7 @@ fn files(folder: &Path, extension: &str) -> io::Result<BTreeMap<String, PathBuf>
 fn defines_machine(file: &Path) -> bool {
     let Ok(text) = fs::read_to_string(file) else { return true };
     let is_machine = |item: &Item| matches!(item, Item::Machine(_));
-    parse("", &text).map_or(true, |tree| tree.body.statements.iter().any(|stated| is_machine(&stated.node)))
+    parse("", &text).whole().map_or(true, |tree| tree.body.statements.iter().any(|stated| is_machine(&stated.node)))
 }
 
 fn name(file: &Path) -> String {

@@ -79,6 +79,7 @@ impl<'a> Evaluator<'a> {
     pub(crate) fn evaluate(&mut self, source: SourceId, expression: &Expression) -> Option<Value> {
         let span = &expression.span;
         let value = match expression.value.as_ref() {
+            ExpressionKind::Broken(_) => None,
             ExpressionKind::Number { digits, unit } => Some(number(digits, unit.as_ref())),
             ExpressionKind::Name(name) => self.name(source, span, name),
             ExpressionKind::Group(inner) => self.evaluate(source, inner),

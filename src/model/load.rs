@@ -3,6 +3,7 @@
 use super::source::{Located, Location, SourceId, SourceMap};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::sources::Sources;
+use crate::syntax::parse::{Parsed, parse};
 use crate::syntax::tree::{File, Item, Text};
 
 /// A file that cannot be read.
@@ -83,14 +84,11 @@ impl Loader<'_> {
     }
 
     fn text(&mut self, path: String, text: String) {
-        let parsed = crate::syntax::parse::parse(&path, &text);
+        let Parsed { tree, diagnostics } = parse(&path, &text);
+        self.diagnostics.extend(diagnostics);
         let source = self.program.sources.add(path.clone(), text);
-        let file = parsed.unwrap_or_else(|diagnostics| {
-            self.diagnostics.extend(diagnostics);
-            File { body: crate::syntax::tree::Body { statements: Vec::new(), trailing: Vec::new() } }
-        });
-        let used: Vec<Located<Text>> = uses(source, &file);
-        self.program.files.push(file);
+        let used: Vec<Located<Text>> = uses(source, &tree);
+        self.program.files.push(tree);
         self.open.push(path.clone());
         for Located { value: text, at } in used {
             self.file(beside(&path, &text.value), Some(at));

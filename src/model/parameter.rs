@@ -67,7 +67,7 @@ pub(crate) fn define(evaluator: &mut Evaluator<'_>, parameters: &[Parameter<'_>]
 /// Every name in an expression.
 pub(crate) fn names(expression: &Expression, visit: &mut impl FnMut(&str)) {
     match expression.value.as_ref() {
-        ExpressionKind::Number { .. } => {}
+        ExpressionKind::Broken(_) | ExpressionKind::Number { .. } => {}
         ExpressionKind::Name(name) => visit(name),
         ExpressionKind::Vector(components) => components.iter().for_each(|component| names(component, visit)),
         ExpressionKind::Group(inner) | ExpressionKind::Sign { of: inner, .. } => names(inner, visit),

@@ -49,6 +49,7 @@ impl Statement for MachineStatement {
             Self::Branch(body) => {
                 let alone = |stated: &Stated<BranchStatement>| Body {
                     statements: vec![Stated { trivia: Trivia::default(), ..stated.clone() }],
+                    broken: Vec::new(),
                     trailing: Vec::new(),
                 };
                 body.statements.iter().map(|stated| (stated.span.clone(), Self::Branch(alone(stated)))).collect()

@@ -1,17 +1,20 @@
 //! Text to tree.
 //!
-//! A pass over the characters finds comments, texts and braces, and refuses what would not be worth parsing; the
+//! A pass over the characters finds comments, texts and braces, and mends what would make nonsense of the rest; the
 //! grammar does the rest. What no statement of the grammar takes ends up in a `broken` node, which becomes a
-//! diagnostic; everything around it is still read.
+//! diagnostic and is recorded; everything around it is still read.
 
 use mach_runtime::diagnostic::{Code, Diagnostic};
 use pest::Parser;
 
-use super::tree::{Body, Definition, File, Item, Name, Span, Spanned, Stated, Text, Trivia};
+use super::tree::{Body, Broken, Definition, File, Item, Name, Span, Spanned, Stated, Text, Trivia};
+use braces::Unpaired;
 use failure::Failures;
 use grammar::{MachParser, Pair, Rule};
 use trivia::Comments;
 
+mod braces;
+mod broken;
 pub mod controller;
 pub mod dh;
 mod expected;
@@ -42,55 +45,88 @@ pub static CODES: [&Code; 14] = [
     &dh::FIVE_PARAMETERS,
 ];
 
-/// Parses a file.
-///
-/// # Errors
-/// Everything that is wrong with the text, in its order (at most [`failure::MOST_ERRORS`]).
-pub fn parse(file_name: &str, text: &str) -> Result<File, Vec<Diagnostic>> {
-    let scan = scan::scan(file_name, text)?;
-    let mut failures = Failures::new(file_name, text);
-    let file = match MachParser::parse(Rule::file, text) {
-        Ok(mut pairs) => {
-            let file = pairs.next().expect("a parse of `file` gives one pair");
-            let mut builder = Builder { failures: &mut failures, comments: Comments::new(text, scan.comments) };
-            Some(File { body: builder.body(file, Rule::item, Builder::item) })
-        }
-        Err(_) => {
-            failures.syntax(Rule::file, 0, None);
-            None
+/// What a text says, and what is wrong with it.
+#[derive(Debug, Clone)]
+pub struct Parsed {
+    /// Everything that was understood; what was not is recorded where it stands.
+    pub tree: File,
+    /// What was not understood, in the order of the text (at most [`failure::MOST_ERRORS`]). Where there are none, the tree
+    /// has the whole text.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+impl Parsed {
+    /// The tree of a text in which nothing is wrong.
+    ///
+    /// # Errors
+    /// Everything that is wrong.
+    pub fn whole(self) -> Result<File, Vec<Diagnostic>> {
+        if self.diagnostics.is_empty() { Ok(self.tree) } else { Err(self.diagnostics) }
+    }
+}
+
+/// Parses a file. Whatever the text is, there is a tree.
+pub fn parse(file_name: &str, text: &str) -> Parsed {
+    let scan = match scan::scan(file_name, text) {
+        Ok(scan) => scan,
+        Err(no_text) => {
+            let broken = vec![Broken::anything(0..text.len())];
+            let body = Body { statements: Vec::new(), broken, trailing: Vec::new() };
+            return Parsed { tree: File { body }, diagnostics: vec![no_text] };
         }
     };
-    let errors = failures.into_errors();
-    match file {
-        Some(file) if errors.is_empty() => Ok(file),
-        _ => Err(errors),
-    }
+    let mut failures = Failures::new(file_name, text, &scan);
+    let mut pairs = MachParser::parse(Rule::file, &scan.text).expect("every text that has been mended is a file");
+    let file = pairs.next().expect("a parse of `file` gives one pair");
+    let comments = Comments::new(text, scan.comments.clone());
+    let mut builder = Builder { failures: &mut failures, comments, unpaired: &scan.unpaired, told_until: 0 };
+    let body = builder.body(file, Rule::item, Builder::item);
+    Parsed { tree: File { body }, diagnostics: failures.into_errors() }
 }
 
 /// Turns the grammar's pairs into the tree.
 struct Builder<'a, 't> {
     failures: &'a mut Failures<'t>,
     comments: Comments<'t>,
+    unpaired: &'a Unpaired,
+    /// The end of what is broken and has been told last.
+    told_until: usize,
 }
 
 impl<'t> Builder<'_, 't> {
     /// The statements of a body (or of the file). `rule` is what a statement of it is, to explain a broken one;
     /// `build` gives `None` where it has reported an error.
-    fn body<T>(&mut self, body: Pair<'t>, rule: Rule, build: impl Fn(&mut Self, Pair<'t>) -> Option<T>) -> Body<T> {
-        let close = grammar::extent(&body).end;
-        let mut statements = Vec::new();
-        let mut pairs = grammar::content(body).into_iter().peekable();
+    fn body<T>(&mut self, pair: Pair<'t>, rule: Rule, build: impl Fn(&mut Self, Pair<'t>) -> Option<T>) -> Body<T> {
+        let (close, is_complete) = (grammar::extent(&pair).end, self.is_complete(&pair));
+        let mut body = Body { statements: Vec::new(), broken: Vec::new(), trailing: Vec::new() };
+        let mut pairs = grammar::content(pair).into_iter().peekable();
         while let Some(pair) = pairs.next() {
-            let span = grammar::extent(&pair);
             if is_broken(&pair) {
                 let next = pairs.peek().filter(|next| is_broken(next)).map(|next| next.as_span().start());
-                self.failures.syntax(rule, span.start, next);
+                self.broken(&pair, rule, next, &mut body);
                 continue;
             }
-            let (node, trivia) = self.with_trivia(pair, &span, &build);
-            statements.extend(node.map(|node| Stated { node, span, trivia }));
+            let span = grammar::extent(&pair);
+            match self.with_trivia(pair, &span, &build) {
+                (Some(node), trivia) => body.statements.push(Stated { node, span, trivia }),
+                (None, _) => body.broken.push(self.refused(rule, span)),
+            }
         }
-        Body { statements, trailing: self.comments.until(close) }
+        body.broken.extend((!is_complete).then(|| Broken::anything(close..close)));
+        Body { trailing: self.comments.until(close), ..body }
+    }
+
+    /// Whether a body holds what it should, as far as its braces tell.
+    fn is_complete(&self, body: &Pair<'t>) -> bool {
+        let end = body.clone().into_inner().next_back();
+        let is_closed = body.as_rule() == Rule::file
+            || end.is_some_and(|end| end.as_rule() == Rule::close_brace && !self.is_mended(end.as_span().start()));
+        is_closed && self.unpaired.is_certain
+    }
+
+    /// Whether a `}` stands here only in the text that is parsed.
+    fn is_mended(&self, at: usize) -> bool {
+        self.unpaired.missing.iter().any(|gap| gap.contains(&at))
     }
 
     fn with_trivia<T>(

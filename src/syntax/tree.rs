@@ -59,8 +59,40 @@ pub struct Stated<T> {
 pub struct Body<T> {
     /// Its statements in order.
     pub statements: Vec<Stated<T>>,
+    /// What stands between them and is no statement, in order.
+    pub broken: Vec<Broken>,
     /// Comments after the last statement.
     pub trailing: Vec<Comment>,
+}
+
+/// What was to be a statement and is none. It has been reported, and is left out; what it was to say may be guessed from its
+/// words.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Broken {
+    /// Where it stands.
+    pub span: Span,
+    /// The keywords of the statements that it may be; `None` where it may be any.
+    pub keywords: Option<Vec<String>>,
+    /// The words among which the names are that it may speak of; `None` where it may be any.
+    pub names: Option<Vec<String>>,
+}
+
+impl Broken {
+    /// What may be any number of any statements.
+    pub fn anything(span: Span) -> Self {
+        Self { span, keywords: None, names: None }
+    }
+
+    /// Whether it may be a statement with one of these keywords.
+    pub fn may_be(&self, keywords: &[&str]) -> bool {
+        self.keywords.as_ref().is_none_or(|known| known.iter().any(|known| keywords.contains(&known.as_str())))
+    }
+
+    /// Whether it may speak of something of this name.
+    pub fn may_speak_of(&self, name: &str) -> bool {
+        let says = |names: &Vec<String>| name.split(' ').all(|word| names.iter().any(|known| known == word));
+        self.names.as_ref().is_none_or(says)
+    }
 }
 
 /// A whole file.
@@ -291,6 +323,8 @@ pub type Expression = Spanned<Box<ExpressionKind>>;
 /// What an expression is.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ExpressionKind {
+    /// What has no value, as it is written: it has been reported.
+    Broken(String),
     /// `36`, `36 m/min`, `-1.5e-3 mm` has its sign outside.
     Number {
         /// As written.

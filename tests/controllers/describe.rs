@@ -12,7 +12,7 @@ const FILE: &str = "controller.mach";
 
 /// The dialect of the last controller in `text`, for a machine with these axes; A, B and C are rotary.
 pub(crate) fn dialect(text: &str, axes: &[&str]) -> Result<Dialect, Vec<Diagnostic>> {
-    let file = parse(FILE, text)?;
+    let file = parse(FILE, text).whole()?;
     let mut controllers = file.body.statements.into_iter().filter_map(|item| match item.node {
         Item::Controller(controller) => Some(controller),
         _ => None,

@@ -43,7 +43,11 @@ fn spanned<T: std::fmt::Debug + 'static>(strategy: impl Strategy<Value = T> + 's
 
 fn body<T: std::fmt::Debug + 'static>(node: impl Strategy<Value = T>, most: usize) -> impl Strategy<Value = Body<T>> {
     let stated = (node, trivia()).prop_map(|(node, trivia)| Stated { node, span: 0..0, trivia });
-    (vec(stated, 0..most), vec(comment(), 0..2)).prop_map(|(statements, trailing)| Body { statements, trailing })
+    (vec(stated, 0..most), vec(comment(), 0..2)).prop_map(|(statements, trailing)| Body {
+        statements,
+        broken: Vec::new(),
+        trailing,
+    })
 }
 
 fn trivia() -> impl Strategy<Value = Trivia> {

@@ -61,13 +61,13 @@ static PRECEDENCE: LazyLock<PrattParser<Rule>> = LazyLock::new(|| {
 });
 
 impl<'t> Builder<'_, 't> {
-    /// A whole expression. Where something in it is wrong, an error is reported and something stands in its place.
+    /// A whole expression; what is wrong in it is reported.
     pub(super) fn expression(&mut self, pair: Pair<'t>) -> Expression {
         if pair.clone().into_inner().flatten().take(MOST_PARTS + 1).count() > MOST_PARTS {
             let message = format!("this expression has more than {MOST_PARTS} parts");
             let span = grammar::extent(&pair);
             self.failures.error(&TOO_LONG, message, span.clone(), "");
-            return Spanned { value: Box::new(ExpressionKind::Name("pi".to_owned())), span };
+            return Spanned { value: Box::new(broken(&pair)), span };
         }
         self.operation(pair)
     }
@@ -103,6 +103,7 @@ impl<'t> Builder<'_, 't> {
     }
 
     fn quantity(&mut self, pair: Pair<'t>) -> ExpressionKind {
+        let whole = broken(&pair);
         let mut parts = parts(pair);
         let digits = parts.next().as_str().to_owned();
         let unit = parts.take(Rule::unit).and_then(|unit| {
@@ -111,6 +112,7 @@ impl<'t> Builder<'_, 't> {
         });
         if let Some(unknown) = parts.take(Rule::unknown_unit) {
             self.unknown_unit(&unknown);
+            return whole;
         }
         ExpressionKind::Number { digits, unit }
     }
@@ -137,19 +139,22 @@ impl<'t> Builder<'_, 't> {
     }
 
     fn parenthesised(&mut self, pair: Pair<'t>) -> ExpressionKind {
-        let span = grammar::extent(&pair);
+        let (span, whole) = (grammar::extent(&pair), broken(&pair));
         let components: Vec<_> = parts(pair).rest().map(|component| self.operation(component)).collect();
         match <[Expression; 3]>::try_from(components) {
             Ok(components) => ExpressionKind::Vector(components),
-            Err(mut components) => {
-                if components.len() != 1 {
-                    let message = format!("a vector has three components, this has {}", components.len());
-                    self.failures.error(&VECTOR_LENGTH, message, span, "");
-                }
-                ExpressionKind::Group(components.swap_remove(0))
+            Err(mut components) if components.len() == 1 => ExpressionKind::Group(components.swap_remove(0)),
+            Err(components) => {
+                let message = format!("a vector has three components, this has {}", components.len());
+                self.failures.error(&VECTOR_LENGTH, message, span, "");
+                whole
             }
         }
     }
+}
+
+fn broken(pair: &Pair<'_>) -> ExpressionKind {
+    ExpressionKind::Broken(pair.as_str().trim_end().to_owned())
 }
 
 fn operator_of(rule: Rule) -> Operator {

@@ -6,6 +6,7 @@ use pest::Parser;
 use super::expected::{described, furthest_failure, keyword, list, statements};
 use super::found::Found;
 use super::grammar::{MachParser, Rule};
+use super::scan::{Scan, UNMATCHED_BRACE};
 use crate::syntax::place::place;
 use crate::syntax::spelling::nearest;
 use crate::syntax::tree::Span;
@@ -76,17 +77,62 @@ const CLAUSES: [&str; 14] = [
 pub(super) struct Failures<'t> {
     file_name: &'t str,
     text: &'t str,
+    scan: &'t Scan<'t>,
     errors: Vec<Diagnostic>,
+    /// Whether a block without its `{` has been told: that its `}` closes nothing then goes without saying.
+    lacks_opening: bool,
+}
+
+/// Why a statement is none.
+pub(super) struct Failure<'t> {
+    /// What a statement would be there.
+    rule: Rule,
+    start: usize,
+    /// How far the grammar gets.
+    pub(super) length: usize,
+    /// What would fit there.
+    pub(super) expected: Vec<Rule>,
+    /// What stands there instead.
+    found: Found<'t>,
+    /// What was probably meant.
+    pub(super) meant: Option<String>,
+}
+
+impl Failure<'_> {
+    /// Whether no statement begins so.
+    pub(super) fn is_unknown(&self) -> bool {
+        self.length == 0
+    }
+
+    /// Whether what stands there was probably meant to go on the statement before it.
+    pub(super) fn is_clause(&self) -> bool {
+        let word = self.meant.as_deref().or(self.found.word);
+        self.is_unknown() && word.is_some_and(|word| CLAUSES.contains(&word))
+    }
 }
 
 impl<'t> Failures<'t> {
-    pub(super) fn new(file_name: &'t str, text: &'t str) -> Self {
-        Self { file_name, text, errors: Vec::new() }
+    pub(super) fn new(file_name: &'t str, text: &'t str, scan: &'t Scan<'t>) -> Self {
+        Self { file_name, text, scan, errors: Vec::new(), lacks_opening: false }
     }
 
+    /// Everything that is wrong, in the order of the text.
     pub(super) fn into_errors(mut self) -> Vec<Diagnostic> {
-        self.errors.sort_by_key(|error| error.labels.first().map(|label| (label.place.line, label.place.column)));
-        self.errors
+        let unpaired = &self.scan.unpaired;
+        let open = unpaired.open.iter().map(|at| (at, "this `{` is never closed"));
+        let surplus = unpaired.surplus.iter().map(|at| (at, "this `}` closes nothing"));
+        let braces = open.chain(surplus.filter(|_| !self.lacks_opening)).filter(|_| self.scan.tells_unpaired);
+        let place = |at: usize| place(self.file_name, self.text, &(at..at + 1));
+        let braces = braces.map(|(at, message)| Diagnostic::error(&UNMATCHED_BRACE, message).at(place(*at), ""));
+        let mut errors: Vec<Diagnostic> = self.scan.errors.iter().cloned().chain(braces).collect();
+        errors.append(&mut self.errors);
+        errors.sort_by_key(|error| error.labels.first().map(|label| (label.place.line, label.place.column)));
+        errors.truncate(MOST_ERRORS);
+        errors
+    }
+
+    pub(super) fn text(&self) -> &'t str {
+        &self.scan.text
     }
 
     pub(super) fn place(&self, span: &Span) -> Place {
@@ -94,9 +140,14 @@ impl<'t> Failures<'t> {
     }
 
     pub(super) fn push(&mut self, diagnostic: Diagnostic) {
-        if self.errors.len() < MOST_ERRORS {
+        if !self.are_many() {
             self.errors.push(diagnostic);
         }
+    }
+
+    /// Whether nothing more is told.
+    pub(super) fn are_many(&self) -> bool {
+        self.errors.len() >= MOST_ERRORS
     }
 
     pub(super) fn error(&mut self, code: &'static Code, message: String, span: Span, label: &str) {
@@ -104,35 +155,47 @@ impl<'t> Failures<'t> {
         self.push(diagnostic);
     }
 
-    /// Reports why `rule` does not take the text from `start` on. Where it fails only inside `next`, the start of
-    /// another broken statement, that one is to blame and will be reported itself.
-    pub(super) fn syntax(&mut self, rule: Rule, start: usize, next: Option<usize>) {
-        if self.errors.len() >= MOST_ERRORS {
-            return;
-        }
-        let (length, expected) = furthest_failure(rule, &self.text[start..]);
-        if next.is_some_and(|next| start + length > next) {
-            return;
-        }
+    /// Why `rule` does not take the text from `start` on.
+    pub(super) fn failure(&self, rule: Rule, start: usize) -> Failure<'t> {
+        let (length, expected) = furthest_failure(rule, &self.text()[start..]);
         let found = Found::at(self.text, start + length);
         let keywords: Vec<String> = expected.iter().filter_map(|rule| keyword(*rule)).collect();
         let clauses = CLAUSES.iter().filter(|_| length == 0).copied();
         let meant = found.word.and_then(|word| nearest(word, keywords.iter().map(String::as_str).chain(clauses)));
+        let meant = meant.map(str::to_owned);
+        Failure { rule, start, length, expected, found, meant }
+    }
+
+    /// Tells a failure of what ends at `end`, unless it is the consequence of something that the scan has told.
+    pub(super) fn tell(&mut self, failure: &Failure<'t>, end: usize) {
+        let is_told = self.scan.wrong.iter().any(|at| (failure.start..end).contains(at));
+        // Behind a brace too many or too few, statements stand in the wrong block.
+        let is_misplaced = failure.is_unknown() && !self.scan.unpaired.is_none() && elsewhere(&failure.found).is_some();
+        if is_told || is_misplaced {
+            return;
+        }
+        self.lacks_opening |= failure.expected.iter().any(|rule| is_opening(*rule));
+        let diagnostic = self.diagnostic(failure);
+        self.push(diagnostic);
+    }
+
+    fn diagnostic(&self, failure: &Failure<'t>) -> Diagnostic {
+        let Failure { rule, start, expected, found, meant, .. } = failure;
         let diagnostic = match meant {
-            _ if length == 0 => self.unknown(rule, &found),
+            _ if failure.is_unknown() => self.unknown(*rule, found),
             None if !expected.contains(&Rule::statement_word) => {
-                self.unexpected(rule, &found.or_line_end(self.text, start), &expected)
+                self.unexpected(*rule, &found.or_line_end(self.text, *start), expected)
             }
-            _ => self.unexpected(rule, &found, &expected),
+            _ => self.unexpected(*rule, found, expected),
         };
-        self.push(match meant {
+        match meant {
             Some(meant) => diagnostic.suggest(Suggestion {
                 text: format!("did you mean `{meant}`?"),
                 place: self.place(&found.span),
-                replacement: meant.to_owned(),
+                replacement: meant.clone(),
             }),
             None => diagnostic,
-        });
+        }
     }
 
     fn unknown(&self, rule: Rule, found: &Found<'_>) -> Diagnostic {
@@ -142,11 +205,8 @@ impl<'t> Failures<'t> {
             None => format!("a statement cannot begin with {}", found.description),
         };
         let diagnostic = Diagnostic::error(&UNKNOWN_STATEMENT, message).at(self.place(&found.span), "");
-        let elsewhere = found.word.and_then(|word| {
-            CONTEXTS.iter().find(|(context, _)| statements(*context).iter().any(|statement| statement == word))
-        });
-        match elsewhere {
-            Some((_, place)) => diagnostic.note(format!("`{}` belongs {place}", found.word.unwrap_or_default())),
+        match elsewhere(found) {
+            Some(place) => diagnostic.note(format!("`{}` belongs {place}", found.word.unwrap_or_default())),
             None => {
                 diagnostic.note(format!("{context} there may be {}", list(&described(&furthest_failure(rule, "").1))))
             }
@@ -172,4 +232,16 @@ impl<'t> Failures<'t> {
             _ => diagnostic,
         }
     }
+}
+
+/// Where a statement belongs that begins with what was found.
+fn elsewhere(found: &Found<'_>) -> Option<&'static str> {
+    let word = found.word?;
+    let begins_so = |context: Rule| statements(context).iter().any(|statement| statement == word);
+    CONTEXTS.iter().find(|(context, _)| begins_so(*context)).map(|(_, place)| *place)
+}
+
+fn is_opening(rule: Rule) -> bool {
+    let bodies = [Rule::machine_body, Rule::controller_body, Rule::branch_body, Rule::dh_body, Rule::line_body];
+    rule == Rule::open_brace || bodies.contains(&rule)
 }

@@ -7,7 +7,7 @@ pub(super) fn expression(expression: &Expression) -> String {
     match &*expression.value {
         ExpressionKind::Number { digits, unit: None } => digits.clone(),
         ExpressionKind::Number { digits, unit: Some(unit) } => format!("{digits} {}", unit.value.symbol()),
-        ExpressionKind::Name(name) => name.clone(),
+        ExpressionKind::Name(written) | ExpressionKind::Broken(written) => written.clone(),
         ExpressionKind::Vector(components) => format!("({})", list(components)),
         ExpressionKind::Group(inner) => format!("({})", self::expression(inner)),
         ExpressionKind::Sign { minus, of } => format!("{}{}", if *minus { '-' } else { '+' }, self::expression(of)),
