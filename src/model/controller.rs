@@ -3,6 +3,7 @@
 mod address;
 mod beside;
 mod block;
+mod code;
 mod lowering;
 mod motion;
 mod picture;
@@ -21,7 +22,7 @@ use mach_runtime::unit::LengthUnit;
 use std::collections::BTreeMap;
 
 /// Everything that can be wrong with a controller.
-pub static CODES: [&Code; 12] = [
+pub static CODES: [&Code; 13] = [
     &picture::BAD_PICTURE,
     &word::UNKNOWN_FORMAT,
     &address::BAD_ADDRESS,
@@ -34,6 +35,7 @@ pub static CODES: [&Code; 12] = [
     &lowering::UNPRINTABLE,
     &trial::UNREADABLE_MOTION,
     &beside::RUNS_TOGETHER,
+    &code::MORE_THAN_A_CODE,
 ];
 
 /// A controller that says too little.
@@ -105,6 +107,7 @@ pub fn lower(controller: &Controller<'_>, axes: &[Axis<'_>]) -> Result<Dialect, 
     let feed = word::feed(&mut lowering, &formats);
     let comment = comment(&mut lowering);
     let modal_groups = modal_groups(&mut lowering);
+    code::check(&mut lowering, axes, &modal_groups);
     let blocks = block::blocks(&mut lowering, axes, &modal_groups, &comment);
     let extension = lowering.last(extension_statement).map(|(index, text)| lowering.printable(index, text));
     let offset = lowering.last(offset_statement).map(|(index, text)| lowering.printable(index, text));

@@ -81,6 +81,14 @@ fn each_mistake_has_its_code_and_place() {
         ("greatest 9", "greatest 0", ("E0527", "0")),
         ("modal G0 G1", "modal G0 G1 modal G2 G0", ("E0528", "G0")),
         ("\"G54\"", "\"G54°\"", ("E0529", "°")),
+        ("\"G54\"", "\"G54 X5.\"", ("E0532", "\"G54 X5.\"")),
+        ("\"G54\"", "\"G54 c = dc(5)\"", ("E0532", "\"G54 c = dc(5)\"")),
+        ("\"G54\"", "\"G54 F5\"", ("E0532", "\"G54 F5\"")),
+        ("\"G54\"", "\"N5 G54\"", ("E0532", "\"N5 G54\"")),
+        ("\"G54\"", "\"G54 G0\"", ("E0532", "\"G54 G0\"")),
+        ("\"G54\"", "\"G54\" code units mm \"G21 Z0.\" inch \"G20\"", ("E0532", "\"G21 Z0.\"")),
+        ("\"G54\"", "\"G54\" code feed minute \"G94\" revolution \"G95 F1\"", ("E0532", "\"G95 F1\"")),
+        ("modal G0 G1", "modal G0 G1 C0", ("E0532", "C0")),
         ("M6", "M6 ä", ("E0529", "ä")),
         ("\"G0 {axes}\"", "\"G0 {axes} X5.\"", ("E0530", "rapid")),
         ("{axes} {feed}", "{axes} {feed} #1=5", ("E0530", "feed")),
@@ -160,7 +168,7 @@ fn in_comments_and_quotes_and_beside_other_signs_a_placeholder_may_stand() {
 }
 
 #[test]
-fn addresses_that_differ_are_right() {
+fn addresses_and_codes_that_differ_are_right() {
     for (from, to) in [
         ("word A C length", "word A length word C length as \"C1=\""),
         ("word A C length", "word A length as \"C1=\" word C length"),
@@ -168,6 +176,9 @@ fn addresses_that_differ_are_right() {
         ("word A C length", "word A length word C length as \"MC=\""),
         ("word F feed", "word F feed word F_revolution feed as \"F\""),
         ("sequence \"N\"", "sequence \"B\""),
+        ("\"G54\"", "\"G54.1 P5\""),
+        ("\"G54\"", "\"CYCLE800(0,TABLE,0)\""),
+        ("modal G0 G1", "modal G0 G1 modal G54 G55"),
     ] {
         assert_eq!(marks(&changed(from, to)), [], "{to}");
     }

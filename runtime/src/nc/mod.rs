@@ -9,7 +9,7 @@ pub mod dialect;
 mod feed_word;
 mod line;
 mod motion_block;
-mod moves;
+pub mod moves;
 mod numbering;
 mod printed_word;
 mod short_word;

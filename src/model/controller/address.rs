@@ -27,10 +27,10 @@ have the same address; `C` and `C=` are the same.
 };
 
 /// An address that programs for the machine have.
-struct Address<'a> {
+pub(super) struct Address<'a> {
     /// What it stands for.
-    whose: &'a str,
-    text: &'a str,
+    pub(super) whose: &'a str,
+    pub(super) text: &'a str,
     /// Where it is said.
     index: usize,
     span: &'a Span,
@@ -91,8 +91,8 @@ fn report_the_controls(lowering: &mut Lowering<'_>, index: usize, address: &str,
     lowering.report(&BAD_ADDRESS, message, index, span, "G, M and O begin codes and programs");
 }
 
-/// The addresses of the sequence numbers, the feed and the machine's axes.
-fn in_programs<'a>(lowering: &Lowering<'a>, axes: &[Axis<'a>]) -> Vec<Address<'a>> {
+/// The addresses of the sequence numbers, the feed and the machine's axes, without those that are wrong by themselves.
+pub(super) fn in_programs<'a>(lowering: &Lowering<'a>, axes: &[Axis<'a>]) -> Vec<Address<'a>> {
     let sequence = sequence::address(lowering).map(|(index, text)| Address {
         whose: "the sequence numbers",
         text: &text.value,
@@ -105,7 +105,8 @@ fn in_programs<'a>(lowering: &Lowering<'a>, axes: &[Axis<'a>]) -> Vec<Address<'a
     };
     let feeds = [FEED, FEED_PER_REVOLUTION].into_iter().filter_map(|name| word(name, "the feed"));
     let axes = axes.iter().filter_map(|axis| word(axis.name, axis.name));
-    sequence.into_iter().chain(feeds).chain(axes).collect()
+    let is_right = |address: &Address<'_>| is_readable(address.text) && !is_the_controls(address.text);
+    sequence.into_iter().chain(feeds).chain(axes).filter(is_right).collect()
 }
 
 /// Reports an address that stands for two things.
