@@ -6,13 +6,14 @@ mod machc;
 
 use machc::{Run, Workshop};
 
-/// Posts CL for a machine of three axes with a shipped controller.
+/// Posts CL for a machine of three axes with a shipped controller, perhaps with blocks of its own behind the name.
 fn post(name: &str, controller: &str, cl: &str) -> Run {
+    let (controller, own) = controller.split_once(' ').unwrap_or((controller, ""));
     let workshop = Workshop::new(name);
     let machine = format!(
         "use \"controllers/{controller}.mach\"\nmachine mill {{\n    chain w X Y b Z t\n    linear X along +x  travel -400 .. 400\n    \
          linear Y along +y  travel -400 .. 400\n    linear Z along +z  travel -500 .. 300\n    tool along +z\n    \
-         controller {controller} {{ }}\n}}\n"
+         controller {controller} {{ {own} }}\n}}\n"
     );
     workshop.write("mill.mach", &machine);
     workshop.write("part.cls", cl);
@@ -86,4 +87,47 @@ fn a_cut_with_a_standing_spindle_is_told_once() {
         assert!(stderr.contains(&format!("--> part.cls:{line}:1")), "{stderr}");
     }
     lines("in-rapid", "syntec", &format!("{}{off}RAPID\nGOTO/0,0,100\n", operation(&format!("{tool}{on}"))));
+}
+
+/// What comes behind a tool change, up to the first motion at feed.
+fn behind_the_second_change(lines: &[String]) -> Vec<&str> {
+    let change = lines.iter().rposition(|line| line.starts_with('T')).expect("a tool change");
+    lines[change + 1..].iter().map(String::as_str).take_while(|line| !line.starts_with("G1")).collect()
+}
+
+#[test]
+fn what_a_tool_change_switches_off_is_on_again_before_the_first_cut() {
+    let first = operation("LOAD/TOOL,1\nSPINDL/RPM,8000,CCLW\nCOOLNT/MIST\n");
+    let own = "on tool { \"M09M05 (ALL OFF)\" \"T{tool} M6\" }";
+    for (controller, second, expected) in [
+        ("syntec", "", &["G54", "G0 X0.0 Y0.0", "G43 H02 Z50.", "S8000 M4", "M7"][..]),
+        ("siemens", "", &["M6", "G54", "D1", "G0 X0 Y0", "Z50", "S8000 M4", "M7"]),
+        ("syntec", "COOLNT/OFF\n", &["G54", "M9", "G0 X0.0 Y0.0", "G43 H02 Z50.", "S8000 M4"]),
+        ("syntec", "SPINDL/RPM,500,CLW\n", &["G54", "S500 M3", "G0 X0.0 Y0.0", "G43 H02 Z50.", "M7"]),
+        (&format!("syntec {own}"), "", &["G0 X0.0 Y0.0", "G43 H02 Z50.", "S8000 M4", "M7"]),
+        ("syntec on tool { \"T{tool} M6 (M5)\" }", "", &["G0 X0.0 Y0.0", "G43 H02 Z50."]),
+    ] {
+        let cl = first.clone() + &operation(&format!("LOAD/TOOL,2\n{second}"));
+        let lines = lines("again", controller, &cl);
+        assert_eq!(behind_the_second_change(&lines), expected, "{controller}: {lines:#?}");
+    }
+}
+
+#[test]
+fn what_a_stop_switches_off_is_on_again_before_the_next_cut() {
+    let cl =
+        operation("LOAD/TOOL,1\nSPINDL/RPM,8000,CLW\nCOOLNT/FLOOD\n") + "OPSTOP\nRAPID\nGOTO/0,0,50\nGOTO/0,0,-1\n";
+    let lines = lines("stop", "syntec on optional stop { \"M5\" \"M1\" }", &cl);
+    let stop = lines.iter().position(|line| line == "M1").expect("a stop");
+    assert_eq!(lines[stop + 1..][..3], ["X0.0", "S8000 M3", "G1 Z-1."]);
+}
+
+#[test]
+fn a_spindle_that_turns_is_not_switched_on_again() {
+    let cl = operation("LOAD/TOOL,1\nSPINDL/RPM,8000,CLW\nCOOLNT/FLOOD\n") + &operation("STOP\nSPINDL/RPM,900,CCLW\n");
+    let own = "on spindle counterclockwise { \"M5\" \"S{speed} M4\" }";
+    let lines = lines("turns", &format!("syntec {own}"), &cl);
+    for (word, count) in [("M3", 1), ("M4", 1), ("M8", 1)] {
+        assert_eq!(lines.iter().filter(|line| line.ends_with(word)).count(), count, "{word}: {lines:#?}");
+    }
 }

@@ -10,6 +10,7 @@ use super::feed_word::{FeedMode, FeedState};
 use super::line::Line;
 use super::motion_block::{MotionBlocks, MotionLine, Step};
 use super::moves::moves;
+pub use super::switches_off::SwitchesOff;
 pub use super::values::{LoadedTool, Values};
 use super::write_error::WriteError;
 use super::written_axes::WrittenAxes;
@@ -21,6 +22,8 @@ use crate::machine::{Axis, Retract};
 pub struct Writer {
     dialect: Dialect,
     motions: MotionBlocks,
+    /// Of the block of each trigger, in their order.
+    switches_off: [SwitchesOff; Trigger::ALL.len()],
     retract: Option<Retract>,
     state: State,
 }
@@ -54,7 +57,13 @@ impl Writer {
             approaching: true,
             tool: None,
         };
-        Self { motions: MotionBlocks::new(&dialect), dialect, retract: Retract::of(axes), state }
+        Self {
+            motions: MotionBlocks::new(&dialect),
+            switches_off: Trigger::ALL.map(|trigger| SwitchesOff::of(trigger, &dialect)),
+            dialect,
+            retract: Retract::of(axes),
+            state,
+        }
     }
 
     /// The dialect it prints by.
@@ -66,6 +75,11 @@ impl Writer {
     /// elsewhere.
     pub fn knows_position(&self) -> bool {
         self.state.axes.are_known()
+    }
+
+    /// What the block of a command switches off beside what it is for.
+    pub fn switches_off(&self, trigger: Trigger) -> SwitchesOff {
+        self.switches_off[trigger as usize]
     }
 
     /// Appends the block of a command (any trigger but a motion).

@@ -3,7 +3,7 @@
 use super::Job;
 use crate::cl::event::{Command, Coolant, Spindle};
 use crate::nc::dialect::Trigger;
-use crate::nc::writer::{LoadedTool, Values};
+use crate::nc::writer::{LoadedTool, SwitchesOff, Values};
 use std::mem;
 
 #[derive(Debug, Default)]
@@ -12,10 +12,25 @@ pub(super) struct InForce {
     tool_name: String,
     text: String,
     tool: Option<LoadedTool>,
-    /// What switches the spindle on as it turns; none while it stands.
-    spindle: Option<Trigger>,
+    spindle: Option<Switched>,
+    coolant: Option<Switched>,
     speed_rpm: f64,
     dwell_s: f64,
+}
+
+/// What the CL has switched on.
+#[derive(Debug)]
+struct Switched {
+    /// What switches it on.
+    on: Trigger,
+    /// Whether a block for something else has switched it off.
+    is_interrupted: bool,
+}
+
+impl Switched {
+    fn on(on: Trigger) -> Self {
+        Self { on, is_interrupted: false }
+    }
 }
 
 impl InForce {
@@ -32,14 +47,17 @@ impl InForce {
             }
             Command::SpindleOn(direction, speed_rpm) => {
                 self.speed_rpm = speed_rpm;
-                *self.spindle.insert(spindle(direction))
+                self.spindle.insert(Switched::on(spindle(direction))).on
             }
             Command::SpindleOff => {
                 self.spindle = None;
                 Trigger::SpindleOff
             }
-            Command::CoolantOn(kind) => coolant(kind),
-            Command::CoolantOff => Trigger::CoolantOff,
+            Command::CoolantOn(kind) => self.coolant.insert(Switched::on(coolant(kind))).on,
+            Command::CoolantOff => {
+                self.coolant = None;
+                Trigger::CoolantOff
+            }
             Command::Stop => Trigger::Stop,
             Command::OptionalStop => Trigger::OptionalStop,
             Command::Dwell(dwell_s) => {
@@ -53,7 +71,22 @@ impl InForce {
         })
     }
 
-    /// Whether the spindle turns.
+    /// Notes what a block has switched off that the CL has not.
+    pub(super) fn interrupt(&mut self, off: SwitchesOff) {
+        let switched =
+            self.spindle.iter_mut().filter(|_| off.spindle).chain(self.coolant.iter_mut().filter(|_| off.coolant));
+        switched.for_each(|switched| switched.is_interrupted = true);
+    }
+
+    /// What has to be switched on again before a cut, one after the other.
+    pub(super) fn resume(&mut self) -> Option<Trigger> {
+        let switched = [&mut self.spindle, &mut self.coolant].into_iter().flatten();
+        let interrupted = switched.into_iter().find(|switched| switched.is_interrupted)?;
+        interrupted.is_interrupted = false;
+        Some(interrupted.on)
+    }
+
+    /// Whether the CL lets the spindle turn.
     pub(super) fn spindle_turns(&self) -> bool {
         self.spindle.is_some()
     }

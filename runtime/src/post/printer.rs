@@ -93,20 +93,17 @@ impl<'a> Printer<'a> {
     /// Solves and prints a block of points.
     fn points(&mut self, block: Range<usize>, stretch: &mut Stretch) {
         let mut diagnostics = Vec::new();
-        let Self { job, path, writer, .. } = self;
-        let length_mm = job.machine.tool().length_mm;
+        let Self { job, path, writer, in_force, .. } = self;
         let Stretch { points, text, printed, joints, .. } = stretch;
         path.solve(&points[block.clone()], &mut |solved| match solved.chosen() {
             Some(chosen) => {
                 if is_reposition(solved) {
                     diagnostics.push(refusal::of_step(*job, solved, chosen));
                 }
-                let (start, is_next) = (text.len(), writer.knows_position());
-                match writer.motion(solved.point.approach, &chosen.joints, length_mm, text) {
-                    Ok(()) => {
+                match print(*job, in_force, writer, solved.point, &chosen.joints, text) {
+                    Ok((text, is_next)) => {
                         let rotary_step_deg = rotary_step_deg(solved, chosen);
-                        let point = block.start + solved.lane;
-                        printed.push(PrintedPoint { point, text: start..text.len(), rotary_step_deg, is_next });
+                        printed.push(PrintedPoint { point: block.start + solved.lane, text, rotary_step_deg, is_next });
                         joints.extend_from_slice(&chosen.joints);
                     }
                     Err(error) => diagnostics.push(at_line(&error, job.file, solved.point.line)),
@@ -135,7 +132,7 @@ impl<'a> Printer<'a> {
         if !self.expects_spindle || self.in_force.spindle_turns() {
             return;
         }
-        let cut = stretch.points[block].iter().find(|point| matches!(point.approach, Approach::Feed(_)));
+        let cut = stretch.points[block].iter().find(|point| is_cut(point));
         if let Some(point) = cut {
             self.expects_spindle = false;
             let place = Place::line(self.job.file, point.line);
@@ -152,7 +149,9 @@ impl<'a> Printer<'a> {
 
     fn command(&mut self, trigger: Trigger, place: Option<Place>, stretch: &mut Stretch) {
         let values = self.in_force.values(self.job);
-        if let Err(error) = self.writer.command(trigger, &values, &mut stretch.text) {
+        let printed = self.writer.command(trigger, &values, &mut stretch.text);
+        self.in_force.interrupt(self.writer.switches_off(trigger));
+        if let Err(error) = printed {
             let diagnostic = error.diagnostic();
             let diagnostic = match place {
                 Some(place) => diagnostic.at(place, ""),
@@ -163,17 +162,41 @@ impl<'a> Printer<'a> {
     }
 }
 
+/// Prints a point; before a cut, what a block has switched off and the CL has not is switched on again. Says where the motion
+/// is in the text, and whether it goes on from the point before.
+fn print(
+    job: Job<'_>,
+    in_force: &mut InForce,
+    writer: &mut Writer,
+    point: &Point,
+    joints: &[f64],
+    text: &mut Vec<u8>,
+) -> Result<(Range<usize>, bool), WriteError> {
+    while is_cut(point)
+        && let Some(trigger) = in_force.resume()
+    {
+        writer.command(trigger, &in_force.values(job), text)?;
+    }
+    let (start, is_next) = (text.len(), writer.knows_position());
+    writer.motion(point.approach, joints, job.machine.tool().length_mm, text)?;
+    Ok((start..text.len(), is_next))
+}
+
+fn is_cut(point: &Point) -> bool {
+    matches!(point.approach, Approach::Feed(_))
+}
+
 fn at_line(error: &WriteError, file: &str, line: u64) -> Diagnostic {
     error.diagnostic().at(Place::line(file, line), "")
 }
 
 /// The rotary motion of a cut; none where no position is known before it.
 fn rotary_step_deg(solved: &Solved<'_>, chosen: &Candidate) -> Option<f64> {
-    (!solved.is_first && matches!(solved.point.approach, Approach::Feed(_))).then_some(chosen.rotary_travel_deg)
+    (!solved.is_first && is_cut(solved.point)).then_some(chosen.rotary_travel_deg)
 }
 
 /// Whether a choice was forced by the travel, or a surplus axis jumps, in the middle of a cut.
 fn is_reposition(solved: &Solved<'_>) -> bool {
     let forced = matches!(solved.choice, Choice::Candidate { forced: true, .. }) || solved.jump.is_some();
-    forced && !solved.is_first && matches!(solved.point.approach, Approach::Feed(_))
+    forced && !solved.is_first && is_cut(solved.point)
 }
