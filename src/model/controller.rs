@@ -8,6 +8,7 @@ mod lowering;
 mod motion;
 mod picture;
 mod placeholder;
+mod retract;
 mod sequence;
 mod template;
 mod trial;
@@ -22,7 +23,7 @@ use mach_runtime::unit::LengthUnit;
 use std::collections::BTreeMap;
 
 /// Everything that can be wrong with a controller.
-pub static CODES: [&Code; 13] = [
+pub static CODES: [&Code; 14] = [
     &picture::BAD_PICTURE,
     &word::UNKNOWN_FORMAT,
     &address::BAD_ADDRESS,
@@ -36,6 +37,7 @@ pub static CODES: [&Code; 13] = [
     &trial::UNREADABLE_MOTION,
     &beside::RUNS_TOGETHER,
     &code::MORE_THAN_A_CODE,
+    &retract::NO_AXIS_WORD,
 ];
 
 /// A controller that says too little.
@@ -111,7 +113,7 @@ pub fn lower(controller: &Controller<'_>, axes: &[Axis<'_>]) -> Result<Dialect, 
     let blocks = block::blocks(&mut lowering, axes, &modal_groups, &comment);
     let extension = lowering.last(extension_statement).map(|(index, text)| lowering.printable(index, text));
     let offset = lowering.last(offset_statement).map(|(index, text)| lowering.printable(index, text));
-    let retract = lowering.last(retract_statement).map(|(index, text)| lowering.printable(index, text));
+    let retract = retract::retract(&mut lowering, axes);
     let dialect = Dialect {
         name: controller.name.to_owned(),
         units,
@@ -135,10 +137,6 @@ pub fn lower(controller: &Controller<'_>, axes: &[Axis<'_>]) -> Result<Dialect, 
 
 fn extension_statement(statement: &ControllerStatement) -> Option<&Text> {
     if let ControllerStatement::Extension(text) = statement { Some(text) } else { None }
-}
-
-fn retract_statement(statement: &ControllerStatement) -> Option<&Text> {
-    if let ControllerStatement::Retract(text) = statement { Some(text) } else { None }
 }
 
 fn offset_statement(statement: &ControllerStatement) -> Option<&Text> {

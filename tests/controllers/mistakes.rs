@@ -88,6 +88,18 @@ fn each_mistake_has_its_code_and_place() {
         ("\"G54\"", "\"G54 G0\"", ("E0532", "\"G54 G0\"")),
         ("\"G54\"", "\"G54\" code units mm \"G21 Z0.\" inch \"G20\"", ("E0532", "\"G21 Z0.\"")),
         ("\"G54\"", "\"G54\" code feed minute \"G94\" revolution \"G95 F1\"", ("E0532", "\"G95 F1\"")),
+        ("modal", "retract \"\" modal", ("E0533", "\"\"")),
+        ("modal", "retract \"M30\" modal", ("E0533", "\"M30\"")),
+        ("modal", "retract \"G28 Z0.\" modal", ("E0533", "\"G28 Z0.\"")),
+        ("modal", "retract \"Z\" modal", ("E0533", "\"Z\"")),
+        ("modal", "retract \"Z-\" modal", ("E0533", "\"Z-\"")),
+        ("modal", "retract \"Z0.0.\" modal", ("E0533", "\"Z0.0.\"")),
+        ("modal", "retract \"Z=0\" modal", ("E0533", "\"Z=0\"")),
+        ("modal", "retract \"A0.\" modal", ("E0533", "\"A0.\"")),
+        ("modal", "retract \"W0.\" modal", ("E0533", "\"W0.\"")),
+        ("modal", "retract \"Z0. (up)\" modal", ("E0533", "\"Z0. (up)\"")),
+        ("modal", "retract \"z0.\" modal", ("E0533", "\"z0.\"")),
+        ("modal", "retract \"Zµ\" modal", ("E0533", "\"Zµ\"")),
         ("modal G0 G1", "modal G0 G1 C0", ("E0532", "C0")),
         ("M6", "M6 ä", ("E0529", "ä")),
         ("\"G0 {axes}\"", "\"G0 {axes} X5.\"", ("E0530", "rapid")),
@@ -168,7 +180,7 @@ fn in_comments_and_quotes_and_beside_other_signs_a_placeholder_may_stand() {
 }
 
 #[test]
-fn addresses_and_codes_that_differ_are_right() {
+fn what_is_said_rightly_is_taken() {
     for (from, to) in [
         ("word A C length", "word A length word C length as \"C1=\""),
         ("word A C length", "word A length as \"C1=\" word C length"),
@@ -176,6 +188,9 @@ fn addresses_and_codes_that_differ_are_right() {
         ("word A C length", "word A length word C length as \"MC=\""),
         ("word F feed", "word F feed word F_revolution feed as \"F\""),
         ("sequence \"N\"", "sequence \"B\""),
+        ("modal", "retract \"Z0.\" modal"),
+        ("modal", "retract \"Z+100\" modal"),
+        ("modal", "retract \"Z-.5 Y0\" modal"),
         ("\"G54\"", "\"G54.1 P5\""),
         ("\"G54\"", "\"CYCLE800(0,TABLE,0)\""),
         ("modal G0 G1", "modal G0 G1 modal G54 G55"),
