@@ -2,7 +2,7 @@
 //!
 //! `MACHC_BLESS=1 cargo test --test bad` writes the expected text anew. Read what you accept.
 
-use mach_runtime::render::{Style, render};
+use mach_command::render::plain;
 use machc::codes;
 use machc::compile::compile;
 use machc::sources::Sources;
@@ -30,8 +30,8 @@ fn folder() -> PathBuf {
 fn rendered(stem: &str) -> String {
     match compile(&format!("{stem}.mach"), &Folder(folder())) {
         Ok(compiled) if compiled.warnings.is_empty() => panic!("{stem}.mach has no mistake"),
-        Ok(compiled) => render(&compiled.warnings, Style::PLAIN),
-        Err(diagnostics) => render(&diagnostics, Style::PLAIN),
+        Ok(compiled) => plain(&compiled.warnings),
+        Err(diagnostics) => plain(&diagnostics),
     }
 }
 

@@ -104,7 +104,7 @@ fn whole(text: &str) -> String {
 fn every_example_compiles() {
     for Example { line, text } in examples() {
         if let Err(errors) = compile("example.mach", &Library(&whole(&text))) {
-            let errors = mach_runtime::render::render(&errors, mach_runtime::render::Style::PLAIN);
+            let errors = mach_command::render::plain(&errors);
             panic!("the example at line {line} does not compile:\n{errors}");
         }
     }

@@ -3,6 +3,7 @@
 //! A snapshot is `snapshots/MACHINE@PROGRAM.snap`: the machine file's text, what was told, the certificate, the NC text.
 //! `machc test` compares the same. `machc review` accepts, and so does `cargo insta review`. Read what you accept.
 
+use mach_command::render::plain;
 use machc::snapshot::content::{Program, content};
 use machc::sources::Sources;
 use std::collections::BTreeSet;
@@ -33,6 +34,7 @@ fn locked(machine: &str, program: &str) -> String {
         rig: &compiled.rig().expect("a machine with a controller"),
         cl_file: &cl_file,
         cl: &fs::read(machine::root().join(&cl_file)).expect("readable"),
+        told: plain,
     })
 }
 

@@ -7,6 +7,7 @@ pub mod outcome;
 pub mod output;
 pub mod post;
 pub mod progress;
+pub mod render;
 pub mod report;
 pub mod standalone;
 pub mod toolpath;

@@ -5,12 +5,12 @@ use std::io::{IsTerminal, Write, stderr, stdout};
 use clap::ValueEnum;
 use mach_runtime::certificate::Certificate;
 use mach_runtime::diagnostic::{Diagnostic, Severity};
-use mach_runtime::render::{Style, render};
 use serde::Serialize;
 use terminal_size::{Width, terminal_size_of};
 
 use crate::json;
 use crate::outcome::{Failure, Status};
+use crate::render::{Style, render};
 
 /// How many warnings of one code are told.
 const MOST_WARNINGS: u64 = 20;

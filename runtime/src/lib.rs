@@ -20,7 +20,6 @@ pub mod path;
 pub mod place;
 pub mod post;
 pub mod readback;
-pub mod render;
 pub mod rig;
 pub mod segment;
 pub mod unit;

@@ -8,6 +8,7 @@ use std::path::Path;
 use mach_command::files::cannot_read;
 use mach_command::outcome::{Failure, Status};
 use mach_command::output::{Lines, print, write_file};
+use mach_command::render::plain;
 use mach_command::report::Report;
 use machc::snapshot::content::{Program, content};
 use machc::snapshot::file::Snapshot;
@@ -186,6 +187,7 @@ fn posted(workspace: &Workspace, machine_file: &str, machine: &Prepared, cl_file
         rig: &rig,
         cl_file,
         cl: &cl,
+        told: plain,
     }))
 }
 

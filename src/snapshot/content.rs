@@ -1,7 +1,7 @@
 //! What is locked of a program on a machine: the machine file, what was told, the certificate, the NC text.
 
 use crate::plan::Interpreter;
-use mach_runtime::render::{Style, render};
+use mach_runtime::diagnostic::Diagnostic;
 use mach_runtime::rig::{Posted, Rig};
 
 /// A program and the machine that it is posted for.
@@ -17,14 +17,15 @@ pub struct Program<'a> {
     pub cl_file: &'a str,
     /// What the CL file holds.
     pub cl: &'a [u8],
+    /// How diagnostics are told, as plain text.
+    pub told: fn(&[Diagnostic]) -> String,
 }
 
 /// Posts the program, and says what came out: a refusal is as good as a program.
 pub fn content(program: &Program<'_>) -> String {
-    let Program { machine_file, machine_text, rig, cl_file, cl } = *program;
+    let Program { machine_file, machine_text, rig, cl_file, cl, told } = *program;
     let Posted { nc, certificate, diagnostics } = rig.post_text(cl_file, cl);
-    let told = render(&diagnostics, Style::PLAIN);
-    let mut text = format!("==== {machine_file}\n{machine_text}\n==== {cl_file}\n{told}");
+    let mut text = format!("==== {machine_file}\n{machine_text}\n==== {cl_file}\n{}", told(&diagnostics));
     if let Some(certificate) = certificate {
         let (bytes, fingerprint) = (nc.len(), fingerprint(&nc));
         let nc = String::from_utf8_lossy(&nc);

@@ -1,6 +1,6 @@
 //! Machine files, compiled.
 
-use mach_runtime::render::{Style, render};
+use mach_command::render::plain;
 use machc::compile::{Compiled, compile};
 use machc::sources::Sources;
 use std::fs;
@@ -22,7 +22,7 @@ impl Sources for Files {
 
 /// The machine of a file without mistakes and warnings.
 pub(crate) fn compiled(path: &str, sources: &dyn Sources) -> Compiled {
-    let compiled = compile(path, sources).unwrap_or_else(|errors| panic!("{}", render(&errors, Style::PLAIN)));
-    assert!(compiled.warnings.is_empty(), "{}", render(&compiled.warnings, Style::PLAIN));
+    let compiled = compile(path, sources).unwrap_or_else(|errors| panic!("{}", plain(&errors)));
+    assert!(compiled.warnings.is_empty(), "{}", plain(&compiled.warnings));
     compiled
 }

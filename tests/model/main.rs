@@ -3,7 +3,7 @@
 use mach_runtime::machine::{Motion, Preference, Strictness, Travel, Written};
 mod mutations;
 
-use mach_runtime::render::{Style, render};
+use mach_command::render::plain;
 use machc::compile::compile;
 use machc::model::machine::Model;
 use machc::sources::Sources;
@@ -23,7 +23,7 @@ fn model(files: &[(&'static str, &str)]) -> Model {
     let texts = Texts(files.iter().map(|(name, text)| (*name, (*text).to_owned())).collect());
     match compile(files[0].0, &texts) {
         Ok(compiled) => compiled.model,
-        Err(diagnostics) => panic!("{}", render(&diagnostics, Style::PLAIN)),
+        Err(diagnostics) => panic!("{}", plain(&diagnostics)),
     }
 }
 
@@ -150,7 +150,7 @@ fn machines_of_three_and_four_axes_are_machines() {
 #[test]
 fn an_entry_that_is_not_there_is_a_diagnostic() {
     let diagnostics = compile("m.mach", &Texts(BTreeMap::new())).expect_err("there is no file");
-    assert_eq!(render(&diagnostics, Style::PLAIN).trim_end(), "error[E0201]: cannot read `m.mach`: no such file");
+    assert_eq!(plain(&diagnostics).trim_end(), "error[E0201]: cannot read `m.mach`: no such file");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Whatever a machine file says, the compiler answers: a model, or at least one diagnostic, and never a panic.
 
 use super::{CONTROLLERS, TRUNNION, Texts};
-use mach_runtime::render::{Style, render};
+use mach_command::render::plain;
 use machc::compile::compile;
 use std::collections::BTreeMap;
 
@@ -29,7 +29,7 @@ fn every_mutated_file_gets_an_answer() {
             Ok(_) => models += 1,
             Err(diagnostics) => {
                 assert!(!diagnostics.is_empty(), "refused in silence: {mutation}");
-                assert!(!render(&diagnostics, Style::PLAIN).is_empty());
+                assert!(!plain(&diagnostics).is_empty());
                 refusals += 1;
             }
         }

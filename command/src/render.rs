@@ -2,7 +2,7 @@
 
 use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Patch, Renderer, Snippet, normalize_untrusted_str};
 
-use crate::diagnostic::{Diagnostic, Label, Place, Severity, Suggestion};
+use mach_runtime::diagnostic::{Diagnostic, Label, Place, Severity, Suggestion};
 
 /// How diagnostics are rendered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,6 +23,11 @@ pub fn render(diagnostics: &[Diagnostic], style: Style) -> String {
     let renderer = if style.color { Renderer::styled() } else { Renderer::plain() }.term_width(style.width);
     let one = |diagnostic| renderer.render(&groups(diagnostic)) + "\n\n";
     diagnostics.iter().map(one).collect()
+}
+
+/// The diagnostics as files and tests have them.
+pub fn plain(diagnostics: &[Diagnostic]) -> String {
+    render(diagnostics, Style::PLAIN)
 }
 
 fn groups(diagnostic: &Diagnostic) -> Vec<Group<'_>> {
@@ -69,7 +74,7 @@ fn help(suggestion: &Suggestion) -> Group<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::Code;
+    use mach_runtime::diagnostic::Code;
 
     static CODE: Code = Code { id: "E9999", title: "", explanation: "" };
 
@@ -108,13 +113,13 @@ help: did you mean `MMPM`?
    |
 
 ";
-        assert_eq!(render(&[diagnostic], Style::PLAIN), expected);
+        assert_eq!(plain(&[diagnostic]), expected);
     }
 
     #[test]
     fn marks_stand_under_their_text_behind_tabs_and_wide_letters() {
         let diagnostic = Diagnostic::warning(&CODE, "odd").at(place("\t刀具Ä x", "x", 6), "");
-        let text = render(&[diagnostic], Style::PLAIN);
+        let text = plain(&[diagnostic]);
         assert!(text.starts_with("warning[E9999]: odd\n  --> part.cls:12:6\n"), "{text}");
         assert!(text.contains("12 |     刀具Ä x\n   |           ^\n"), "{text}");
     }
@@ -122,7 +127,7 @@ help: did you mean `MMPM`?
     #[test]
     fn a_long_line_is_cut_about_the_mark() {
         let line = format!("GOTO/{}x{}", "1,".repeat(2000), ",2".repeat(2000));
-        let text = render(&[Diagnostic::error(&CODE, "odd").at(place(&line, "x", 4006), "here")], Style::PLAIN);
+        let text = plain(&[Diagnostic::error(&CODE, "odd").at(place(&line, "x", 4006), "here")]);
         assert!(text.contains("--> part.cls:12:4006\n"), "{text}");
         assert!(text.contains("1,1,x,2,2") && text.lines().all(|line| line.len() < 160), "{text}");
     }
@@ -131,12 +136,12 @@ help: did you mean `MMPM`?
     fn escape_codes_of_the_input_do_not_reach_the_terminal() {
         let mut odd = Diagnostic::error(&CODE, "a \u{1b}[31m b").at(place("\u{1b}[31m x", "x", 7), "\u{1b}[31m");
         odd = odd.note("\u{1b}[31m");
-        assert!(!render(&[odd], Style::PLAIN).contains('\u{1b}'));
+        assert!(!plain(&[odd]).contains('\u{1b}'));
     }
 
     #[test]
     fn a_diagnostic_without_a_place() {
-        let text = render(&[Diagnostic::error(&CODE, "no place")], Style::PLAIN);
+        let text = plain(&[Diagnostic::error(&CODE, "no place")]);
         assert_eq!(text, "error[E9999]: no place\n\n");
     }
 }
