@@ -9,6 +9,7 @@ mod motion;
 mod picture;
 mod placeholder;
 mod retract;
+mod scene;
 mod sequence;
 mod template;
 mod trial;

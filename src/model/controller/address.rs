@@ -1,10 +1,13 @@
 //! Addresses: each can be read, and stands for one thing.
 
 use super::lowering::Lowering;
+use super::placeholder::Meaning;
+use super::scene::Scene;
 use super::word::{FEED, FEED_PER_REVOLUTION, Said};
 use super::{Axis, sequence};
-use crate::syntax::tree::{ControllerStatement, Name, Span, Text};
+use crate::syntax::tree::{ControllerStatement, Name, Span, Spanned, TemplatePiece, Text};
 use mach_runtime::diagnostic::{Code, Diagnostic};
+use mach_runtime::nc::dialect::Value;
 use std::collections::BTreeMap;
 
 /// An address that could be read as something else.
@@ -23,6 +26,7 @@ have the same address; `C` and `C=` are the same.
 
     word C angle as \"M\"        // M30 would be the end of the program
     sequence \"F\"               // F12 G1 Z10. F1200.
+    sequence \"S\"               // with \"S{speed} M3\" every block would set the speed
 ",
 };
 
@@ -123,4 +127,35 @@ fn report_shared(lowering: &mut Lowering<'_>, addresses: &[Address<'_>]) {
             lowering.diagnostics.push(diagnostic);
         }
     }
+}
+
+/// The letters that the standard keeps for axes, and that of the feed: in the call of a macro they are arguments, which may be
+/// anything.
+const ARGUMENTS: [&str; 10] = ["A", "B", "C", "F", "U", "V", "W", "X", "Y", "Z"];
+
+/// Reports the number of a tool, of a register or of a speed behind an address that stands for something else.
+pub(super) fn check_number(
+    lowering: &mut Lowering<'_>,
+    scene: &Scene<'_>,
+    left: &TemplatePiece,
+    right: &Spanned<TemplatePiece>,
+) {
+    let (TemplatePiece::Text(text), TemplatePiece::Placeholder { name, .. }) = (left, &right.value) else { return };
+    let Some(Meaning::Value(Value::Tool | Value::Register | Value::Speed)) = Meaning::of(name) else { return };
+    let addresses = in_programs(lowering, scene.axes);
+    let mut others = addresses.iter().filter(|address| !ARGUMENTS.contains(&address.text));
+    if let Some(address) = others.find(|address| ends_with(text, address.text)) {
+        let message = format!("`{{{name}}}` behind `{}` would be a number of {}", address.text, address.whose);
+        let diagnostic = Diagnostic::error(&BAD_ADDRESS, message)
+            .at(lowering.place(scene.index, &right.span), "another address is needed here or there")
+            .at(lowering.place(address.index, address.span), format!("that of {}", address.whose));
+        lowering.diagnostics.push(diagnostic);
+    }
+}
+
+/// Whether the address stands at the end of a text.
+fn ends_with(text: &str, address: &str) -> bool {
+    let text = text.trim_end_matches([' ', '=']).to_ascii_uppercase();
+    let before = text.strip_suffix(address.trim_end_matches('='));
+    before.is_some_and(|before| !before.ends_with(|c: char| c.is_ascii_alphabetic()))
 }

@@ -2,7 +2,7 @@
 
 use super::lowering::Lowering;
 use super::placeholder::Meaning;
-use super::template::Scene;
+use super::scene::Scene;
 use crate::syntax::tree::{Spanned, TemplatePiece};
 use mach_runtime::diagnostic::Code;
 use mach_runtime::nc::dialect::Value;

@@ -1,8 +1,8 @@
 //! The blocks of a controller: one an event, its lines lowered, the motions complete.
 
 use super::lowering::Lowering;
-use super::template::{self, Scene};
-use super::{Axis, LACKING, motion};
+use super::scene::Scene;
+use super::{Axis, LACKING, motion, template};
 use crate::syntax::tree::{Body, ControllerStatement, LineTemplate, TemplatePiece};
 use mach_runtime::diagnostic::Diagnostic;
 use mach_runtime::nc::dialect::{Block, Trigger};

@@ -1,24 +1,14 @@
 //! One line of a block: its text cut at the codes of modal groups, its placeholders understood.
 
-use super::Axis;
-use super::beside;
 use super::lowering::{Lowering, UNPRINTABLE, unprintable};
 use super::picture::{self, BAD_PICTURE};
 use super::placeholder::{Meaning, PLACEHOLDER_ELSEWHERE, PLACEHOLDERS, UNKNOWN_PLACEHOLDER};
+use super::scene::Scene;
+use super::{address, beside};
 use crate::syntax::spelling::nearest;
 use crate::syntax::tree::{ControllerStatement, LineTemplate, Span, Spanned, TemplatePiece};
 use mach_runtime::diagnostic::{Diagnostic, Suggestion};
-use mach_runtime::nc::dialect::{Line, Piece, Trigger};
-
-/// What a line stands in.
-pub(super) struct Scene<'a> {
-    /// The statement's index.
-    pub(super) index: usize,
-    pub(super) trigger: Trigger,
-    pub(super) axes: &'a [Axis<'a>],
-    pub(super) modal_groups: &'a [Vec<String>],
-    pub(super) comment: &'a (String, String),
-}
+use mach_runtime::nc::dialect::{Line, Piece};
 
 /// A line of a block.
 pub(super) fn line(lowering: &mut Lowering<'_>, scene: &Scene<'_>, template: &LineTemplate) -> Line {
@@ -28,6 +18,7 @@ pub(super) fn line(lowering: &mut Lowering<'_>, scene: &Scene<'_>, template: &Li
     for (n, piece) in template.pieces.iter().enumerate() {
         if let Some(before) = n.checked_sub(1).filter(|_| aside == Aside::Nowhere) {
             beside::check(lowering, scene, &template.pieces[before], piece);
+            address::check_number(lowering, scene, &template.pieces[before].value, piece);
         }
         match &piece.value {
             TemplatePiece::Text(text) => {
