@@ -4,7 +4,7 @@ use super::dialect::Word;
 use super::printed_word::PrintedWord;
 use super::write_error::WriteError;
 use crate::coordinates::{AxisOffset, word_unit};
-use crate::machine::{Axis, Motion, Retract, Written};
+use crate::machine::{Axis, Motion, Retract, Travel, Written};
 use crate::number::{Picture, Rounding};
 use crate::unit::LengthUnit;
 
@@ -16,8 +16,14 @@ pub struct AxisWord {
     /// Words' units in a millimetre or a degree.
     scale: f64,
     rounding: Rounding,
+    travel: Travel,
+    /// Where rounding takes no joint out of the travel.
+    inside: Travel,
     turn: Option<Turn>,
 }
+
+/// How far beyond its travel a word may take an axis, in mm or degrees: what the sums of its value are off.
+const BEYOND: f64 = 1e-9;
 
 /// The turn that a rotary value is reduced to, in units.
 #[derive(Debug, Clone, Copy)]
@@ -55,14 +61,20 @@ impl AxisWord {
         let picture = &word.picture;
         let rounding = if turn.is_some() { picture.unbounded_rounding() } else { picture.rounding() };
         let (offset, scale) = (AxisOffset::of(axis), 1.0 / word_unit(axis.motion, units));
-        Self { printed: PrintedWord::new(word.clone()), offset, scale, rounding, turn }
+        let (travel, step) = (axis.travel, 1.0 / (scale * picture.units_per_one() as f64));
+        let inside = Travel { lower: travel.lower + step, upper: travel.upper - step };
+        Self { printed: PrintedWord::new(word.clone()), offset, scale, rounding, travel, inside, turn }
     }
 
-    /// The units to print for a joint value in machine coordinates; nothing when the word has too few digits. A turn is
-    /// taken off after rounding, so that what rounds to 360 degrees is written as 0.
+    /// The units to print for a joint value in machine coordinates; nothing when the word has too few digits. What would be
+    /// rounded out of the travel is rounded into it. A turn is taken off after rounding, so that what rounds to 360 degrees
+    /// is written as 0.
     #[inline]
     pub fn units(&self, joint: f64, tool_length_mm: f64) -> Option<i64> {
-        let units = self.rounding.units(self.value_at(joint, tool_length_mm))?;
+        let mut units = self.rounding.units(self.value_at(joint, tool_length_mm))?;
+        if !self.inside.contains(joint) {
+            units = self.within_travel(units, self.offset.joint(self.value(units), tool_length_mm));
+        }
         match &self.turn {
             None => Some(units),
             Some(turn) => turn.reduce(units),
@@ -90,12 +102,13 @@ impl AxisWord {
         let value = retract.end_mm * self.scale;
         let picture = &self.printed.word.picture;
         let units = picture.units(value).ok_or_else(|| WriteError::too_large(&self.printed.word, value))?;
-        let above = picture.value(units) - value;
-        Ok(match retract.is_upper {
-            true if above > 1e-9 => units - 1,
-            false if above < -1e-9 => units + 1,
-            _ => units,
-        })
+        Ok(self.within_travel(units, self.value(units)))
+    }
+
+    /// One unit farther inside where so many units take the axis beyond its travel.
+    #[cold]
+    fn within_travel(&self, units: i64, joint: f64) -> i64 {
+        i64::from(joint < self.travel.lower - BEYOND) - i64::from(joint > self.travel.upper + BEYOND) + units
     }
 
     /// What so many units mean: millimetres or degrees from the program zero.
