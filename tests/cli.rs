@@ -28,7 +28,7 @@ fn a_mistake_in_a_machine_is_shown_and_refused() {
     let run = workshop.run(&["check", "bad.mach", "mill.mach"]);
     assert_eq!(run.status, 1);
     assert!(run.stderr.starts_with("error[E0"), "{}", run.stderr);
-    assert!(run.stderr.contains("--> bad.mach:34:14\n"), "{}", run.stderr);
+    assert!(run.stderr.contains("--> bad.mach:35:14\n"), "{}", run.stderr);
 }
 
 #[test]

@@ -28,7 +28,7 @@ fn the_trunnion_is_taken() {
 fn the_controller_is_taken() {
     let file = parse("t.mach", CONTROLLER).whole().unwrap_or_else(|errors| panic!("{errors:#?}"));
     let Item::Controller(controller) = &file.body.statements[0].node else { panic!("a controller") };
-    assert_eq!(controller.body.statements.len(), 20);
+    assert_eq!(controller.body.statements.len(), 21);
 }
 
 /// Code, line and column of every error.
@@ -143,7 +143,9 @@ fn the_same_in_a_controller() {
     for (statement, message) in [
         ("word X Y Z", "E0107 2:11 expected an axis or the name of a format, found the end of the line"),
         ("word x length", "E0107 2:6 expected an axis, found `x`"),
-        ("modal G0 g1", "E0107 2:10 expected a code such as `G0`, the next statement or `}`, found `g1`"),
+        ("group motions { }", "E0111 2:7 there is no group `motions`"),
+        ("group motion { feed \"G1\" }", "E0111 2:16 there is no member of the group `feed`"),
+        ("offset \"G54\"", "E0107 2:8 expected a value, found `\"`"),
         ("sequence \"N\" step 5 start 1", "E0107 2:21 expected `greatest` or `}`, found `start`"),
         ("extension nc", "E0107 2:11 expected a text in quotes, found `nc`"),
         ("on rapid { \"G0 {}\" }", "E0107 2:17 expected the name of a placeholder, found `}`"),

@@ -4,13 +4,16 @@ mod address;
 mod beside;
 mod block;
 mod code;
+mod effect;
 mod lowering;
 mod motion;
+mod pattern;
 mod picture;
 mod placeholder;
 mod retract;
 mod scene;
 mod sequence;
+mod table;
 mod template;
 mod trial;
 mod word;
@@ -18,13 +21,13 @@ mod word;
 use crate::syntax::tree::{ControllerStatement, Span, Text};
 use lowering::Lowering;
 use mach_runtime::diagnostic::{Code, Diagnostic, Place};
+use mach_runtime::dialect::meaning::{FeedMode, Meaning};
 use mach_runtime::machine::Motion;
 use mach_runtime::nc::dialect::{Codes, Dialect};
 use mach_runtime::unit::LengthUnit;
-use std::collections::BTreeMap;
 
 /// Everything that can be wrong with a controller.
-pub static CODES: [&Code; 14] = [
+pub static CODES: [&Code; 17] = [
     &picture::BAD_PICTURE,
     &word::UNKNOWN_FORMAT,
     &address::BAD_ADDRESS,
@@ -33,7 +36,10 @@ pub static CODES: [&Code; 14] = [
     &placeholder::PLACEHOLDER_ELSEWHERE,
     &motion::INCOMPLETE_MOTION,
     &sequence::BAD_SEQUENCE,
-    &MODAL_TWICE,
+    &table::BAD_PATTERN,
+    &table::TWO_MEANINGS,
+    &effect::UNREAD_TEXT,
+    &effect::OTHER_EFFECT,
     &lowering::UNPRINTABLE,
     &trial::UNREADABLE_MOTION,
     &beside::RUNS_TOGETHER,
@@ -46,31 +52,22 @@ static LACKING: Code = Code {
     id: "E0523",
     title: "the controller does not say something that is needed",
     explanation: "\
-A controller needs at least the blocks `on rapid` and `on feed`, a word for every axis of the machine, and a word `F`.
+A controller needs at least the blocks `on rapid` and `on feed` with what their codes mean, a word for every axis of the machine,
+and a word `F`.
 
     controller plain {
         format length \"####.###\"
         format feed \"####.\"
         word X Y Z A B C length
         word F feed
+        group motion { rapid \"G0\"  line \"G1\" }
         on rapid { \"G0 {axes}\" }
         on feed { \"G1 {axes} {feed}\" }
     }
 
-A block that prints `{offset}`, `{units}` or `{feed_mode}` needs the statement `offset`, `code units` or `code feed`.
+A block that prints `{offset}`, `{units}` or `{feed_mode}` needs the member `1` of the group
+`offset` (or what `offset` says), the group `units` or the group `feed`.
 An axis that only this machine has is given its word in the machine's own `controller` block.
-",
-};
-
-/// A code that is in two modal groups, or twice in one.
-static MODAL_TWICE: Code = Code {
-    id: "E0528",
-    title: "a code stands in two modal groups",
-    explanation: "\
-The codes of one `modal` statement replace each other, so a code can stand in one group only, and once.
-
-    modal G0 G1 G2 G3
-    modal G17 G18 G19 G1      // G1 belongs to the motions
 ",
 };
 
@@ -109,27 +106,31 @@ pub fn lower(controller: &Controller<'_>, axes: &[Axis<'_>]) -> Result<Dialect, 
     let axis_words = word::axes(&mut lowering, &formats, axes);
     let feed = word::feed(&mut lowering, &formats);
     let comment = comment(&mut lowering);
-    let modal_groups = modal_groups(&mut lowering);
+    let modal_groups = modal_groups(&lowering);
     code::check(&mut lowering, axes, &modal_groups);
     let blocks = block::blocks(&mut lowering, axes, &modal_groups, &comment);
     let extension = lowering.last(extension_statement).map(|(index, text)| lowering.printable(index, text));
-    let offset = lowering.last(offset_statement).map(|(index, text)| lowering.printable(index, text));
+    let sequence = sequence::sequence(&mut lowering);
+    let table = table::table(&mut lowering, &formats, axes, &axis_words, &comment, sequence.as_ref());
     let retract = retract::retract(&mut lowering, axes);
     let dialect = Dialect {
         name: controller.name.to_owned(),
         units,
         extension: extension.unwrap_or_else(|| "nc".to_owned()),
         comment,
-        sequence: sequence::sequence(&mut lowering),
-        offset: offset.unwrap_or_default(),
+        sequence,
+        offset: offset(&mut lowering),
         retract,
-        codes: codes(&mut lowering, units),
+        codes: codes(&lowering, units),
         axes: axis_words,
         feed_per_revolution: word::feed_per_revolution(&mut lowering, &formats).unwrap_or_else(|| feed.clone()),
         feed,
         modal_groups,
         blocks,
     };
+    if lowering.diagnostics.is_empty() {
+        effect::check(&mut lowering, &dialect, &table, axes);
+    }
     if lowering.diagnostics.is_empty() {
         trial::read_back(&mut lowering, &dialect);
     }
@@ -138,10 +139,6 @@ pub fn lower(controller: &Controller<'_>, axes: &[Axis<'_>]) -> Result<Dialect, 
 
 fn extension_statement(statement: &ControllerStatement) -> Option<&Text> {
     if let ControllerStatement::Extension(text) = statement { Some(text) } else { None }
-}
-
-fn offset_statement(statement: &ControllerStatement) -> Option<&Text> {
-    if let ControllerStatement::Offset(text) = statement { Some(text) } else { None }
 }
 
 /// The program's unit of length; millimetres where nothing is said.
@@ -165,42 +162,32 @@ fn comment(lowering: &mut Lowering<'_>) -> (String, String) {
 }
 
 /// The codes of the program's state; empty where nothing is said (a block that prints one has been refused).
-fn codes(lowering: &mut Lowering<'_>, units: LengthUnit) -> Codes {
-    let unit_codes = lowering.last(|statement| match statement {
-        ControllerStatement::UnitsCode { mm, inch } => Some((mm, inch)),
-        _ => None,
-    });
-    let feed_codes = lowering.last(|statement| match statement {
-        ControllerStatement::FeedCode { minute, revolution } => Some((minute, revolution)),
-        _ => None,
-    });
-    let units = unit_codes.map(|(index, (mm, inch))| {
-        let (mm, inch) = (lowering.printable(index, mm), lowering.printable(index, inch));
-        if units == LengthUnit::Inch { inch } else { mm }
-    });
-    let feed = feed_codes.map(|(index, (minute, revolution))| {
-        let revolution = revolution.as_ref().map(|revolution| lowering.printable(index, revolution));
-        (lowering.printable(index, minute), revolution)
-    });
-    let (per_minute, per_revolution) = feed.unwrap_or_default();
-    Codes { units: units.unwrap_or_default(), per_minute, per_revolution }
+fn codes(lowering: &Lowering<'_>, units: LengthUnit) -> Codes {
+    let code = |meaning| table::literal(lowering, (meaning, None));
+    Codes {
+        units: code(Meaning::Units(units)).unwrap_or_default(),
+        per_minute: code(Meaning::FeedMode(FeedMode::PerMinute)).unwrap_or_default(),
+        per_revolution: code(Meaning::FeedMode(FeedMode::PerRevolution)),
+    }
 }
 
-/// The groups of codes that replace each other.
-fn modal_groups(lowering: &mut Lowering<'_>) -> Vec<Vec<String>> {
-    let mut first_at: BTreeMap<&str, Place> = BTreeMap::new();
-    let mut groups = Vec::new();
-    for (index, statement) in lowering.statements() {
-        let ControllerStatement::Modal(codes) = statement else { continue };
-        for code in codes {
-            let place = lowering.place(index, &code.span);
-            let Some(first) = first_at.insert(&code.value, place.clone()) else { continue };
-            let diagnostic = Diagnostic::error(&MODAL_TWICE, format!("{} stands in two modal groups", code.value))
-                .at(place, "here again")
-                .at(first, "first here");
-            lowering.diagnostics.push(diagnostic);
-        }
-        groups.push(codes.iter().map(|code| code.value.clone()).collect());
-    }
-    groups
+/// The codes of motions, which replace each other.
+fn modal_groups(lowering: &Lowering<'_>) -> Vec<Vec<String>> {
+    let members = table::members(lowering);
+    let motions = members.iter().filter(|(_, member)| matches!(member.meaning.0, Meaning::Motion(_)));
+    vec![motions.filter_map(|(_, member)| table::literal(lowering, member.meaning)).collect()]
+}
+
+/// The code of the work offset; empty where nothing is said.
+fn offset(lowering: &mut Lowering<'_>) -> String {
+    let said = lowering.last(|statement| match statement {
+        ControllerStatement::Offset(number) => Some(number),
+        _ => None,
+    });
+    let number = match said {
+        Some((index, number)) => sequence::whole(lowering, index, number, 1),
+        None => Some(1),
+    };
+    let number = number.map(|number| number as u32);
+    table::literal(lowering, (Meaning::Offset, number)).unwrap_or_default()
 }

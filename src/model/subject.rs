@@ -91,12 +91,11 @@ impl Statement for ControllerStatement {
             Self::NoSequence | Self::Sequence { .. } => "sequence".to_owned(),
             Self::Offset(_) => "offset".to_owned(),
             Self::Retract(_) => "retract".to_owned(),
-            Self::UnitsCode { .. } => "code units".to_owned(),
-            Self::FeedCode { .. } => "code feed".to_owned(),
             Self::Format { name, .. } => format!("format {}", name.value),
             Self::Word { names, .. } => return all("word", names),
             Self::WriteRange { axis, .. } | Self::WriteUnwound(axis) => format!("write {}", axis.value),
-            Self::Modal(codes) => return all("modal", codes),
+            Self::Group { name, .. } => format!("group {}", name.value),
+            Self::Plain { pattern, .. } => format!("plain {}", pattern.span.start),
             Self::On { event, .. } => format!("on {}", event.value.name()),
         };
         vec![subject]

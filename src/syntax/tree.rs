@@ -1,5 +1,6 @@
 //! The syntax tree of a `.mach` file. Every node that a diagnostic may point at carries its span.
 
+pub use mach_runtime::dialect::meaning::Meaning;
 pub use mach_runtime::machine::Strictness;
 pub use mach_runtime::nc::dialect::Trigger;
 pub use mach_runtime::unit::LengthUnit;
@@ -443,24 +444,10 @@ pub enum ControllerStatement {
         /// The greatest; 99999 where nothing is said.
         greatest: Option<Expression>,
     },
-    /// `offset "G54"`: the work offset's code.
-    Offset(Text),
+    /// `offset 1`: the number of the work offset.
+    Offset(Expression),
     /// `retract "Z0."`: what `{retract}` prints, where it is not the end of the travel.
     Retract(Text),
-    /// `code units mm "G21" inch "G20"`.
-    UnitsCode {
-        /// For millimetres.
-        mm: Text,
-        /// For inches.
-        inch: Text,
-    },
-    /// `code feed minute "G94" revolution "G95"`.
-    FeedCode {
-        /// Per minute.
-        minute: Text,
-        /// Per revolution, where the control has it.
-        revolution: Option<Text>,
-    },
     /// `format length "####.###" inch "###.####" zero "0.0"`.
     Format {
         /// The format's name.
@@ -492,8 +479,21 @@ pub enum ControllerStatement {
     },
     /// `write C unwound`.
     WriteUnwound(Name),
-    /// `modal G0 G1 G2 G3`: codes that replace each other.
-    Modal(Vec<Name>),
+    /// `group motion { rapid "G0" … }`: texts that replace each other, and what they mean; `once { … }`, where what they mean
+    /// happens once.
+    Group {
+        /// Its name; `once` for those.
+        name: Spanned<&'static str>,
+        /// Its members.
+        body: Body<Member>,
+    },
+    /// `plain "M11" "the C axis is unclamped"`: a text that moves nothing and switches nothing that is known.
+    Plain {
+        /// The text.
+        pattern: Spanned<Vec<Spanned<TemplatePiece>>>,
+        /// What the machine's builder says of it.
+        note: Option<Text>,
+    },
     /// `on EVENT { LINE… }`.
     On {
         /// Which event.
@@ -501,6 +501,17 @@ pub enum ControllerStatement {
         /// The lines it prints.
         body: Body<LineTemplate>,
     },
+}
+
+/// A member of a group: `line "G1"`, `reference point "G28" also "G30"`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Member {
+    /// Its name there, with one blank between words; digits in the group `offset`.
+    pub name: Spanned<String>,
+    /// What it means, and the number that goes with it.
+    pub meaning: (Meaning, Option<u32>),
+    /// Its texts: the first one is printed, all are read.
+    pub patterns: Vec<Spanned<Vec<Spanned<TemplatePiece>>>>,
 }
 
 /// One line of a block: `"T{tool} M6"`, or `bare "%"` for a line without a sequence number.

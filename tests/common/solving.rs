@@ -34,6 +34,7 @@ pub(crate) const PLAIN: &str = "\
 controller plain {
     format number \"#####.###\"
     word X Y Z W A B C F number
+    group motion { rapid \"G0\"  line \"G1\" }
     on rapid { \"G0 {axes}\" }
     on feed { \"G1 {axes} {feed}\" }
 }

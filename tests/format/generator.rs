@@ -1,5 +1,6 @@
 //! Any file there may be, as the parser would hand it out but for the spans.
 
+use mach_runtime::dialect::names;
 use machc::syntax::tree::*;
 use machc::syntax::unit::UNITS;
 use proptest::collection::vec;
@@ -241,7 +242,7 @@ fn binary((operator, left, right): (Operator, Expression, Expression)) -> Expres
 }
 
 fn controller_statement() -> impl Strategy<Value = ControllerStatement> {
-    prop_oneof![3 => simple_statement(), 2 => row_statement(), 1 => on_statement()]
+    prop_oneof![3 => simple_statement(), 2 => row_statement(), 1 => on_statement(), 1 => group_statement()]
 }
 
 fn simple_statement() -> impl Strategy<Value = ControllerStatement> {
@@ -258,13 +259,11 @@ fn simple_statement() -> impl Strategy<Value = ControllerStatement> {
             step,
             greatest
         }),
-        text().prop_map(S::Offset),
+        expression().prop_map(S::Offset),
         text().prop_map(S::Retract),
-        (text(), text()).prop_map(|(mm, inch)| S::UnitsCode { mm, inch }),
-        (text(), option::of(text())).prop_map(|(minute, revolution)| S::FeedCode { minute, revolution }),
         (axis(), expression(), expression()).prop_map(|(axis, from, to)| S::WriteRange { axis, from, to }),
         axis().prop_map(S::WriteUnwound),
-        vec(spanned("[A-Z][A-Za-z0-9_.]{0,4}"), 1..4).prop_map(S::Modal),
+        (pieces(), option::of(text())).prop_map(|(pattern, note)| S::Plain { pattern: at(pattern), note }),
     ]
 }
 
@@ -291,12 +290,34 @@ fn on_statement() -> impl Strategy<Value = ControllerStatement> {
         .prop_map(|(event, body)| ControllerStatement::On { event, body })
 }
 
+/// A group with members of its own names, or numbers.
+fn group_statement() -> impl Strategy<Value = ControllerStatement> {
+    let group = select(names::groups().collect::<Vec<_>>());
+    group.prop_flat_map(|group| {
+        body(member(group), 4).prop_map(move |body| ControllerStatement::Group { name: at(group), body })
+    })
+}
+
+fn member(group: &'static str) -> impl Strategy<Value = Member> {
+    let known: Vec<String> = names::members(group).map(str::to_owned).collect();
+    let known = if known.is_empty() { vec!["1".to_owned(), "17".to_owned()] } else { known };
+    (select(known), vec(pieces(), 1..4)).prop_map(move |(name, patterns)| Member {
+        meaning: names::meaning(group, &name).expect("a name of the group"),
+        name: at(name),
+        patterns: patterns.into_iter().map(at).collect(),
+    })
+}
+
 fn template() -> impl Strategy<Value = LineTemplate> {
+    (any::<bool>(), pieces()).prop_map(|(bare, pieces)| LineTemplate { bare, pieces })
+}
+
+/// A text with placeholders.
+fn pieces() -> impl Strategy<Value = Vec<Spanned<TemplatePiece>>> {
     let placeholder = ("[a-z_]{1,6}", option::of("[#0+.\\[\\]]{1,5}"))
         .prop_map(|(name, picture)| TemplatePiece::Placeholder { name, picture });
     let text = raw_text().prop_map(TemplatePiece::Text);
-    (any::<bool>(), vec(prop_oneof![text, placeholder], 0..4))
-        .prop_map(|(bare, pieces)| LineTemplate { bare, pieces: merged(pieces) })
+    vec(prop_oneof![text, placeholder], 0..4).prop_map(merged)
 }
 
 /// Texts beside each other are one text; an empty one is none.

@@ -71,6 +71,11 @@ impl Writer {
         &self.dialect
     }
 
+    /// Takes it that this tool is in the spindle.
+    pub fn load(&mut self, tool: LoadedTool) {
+        self.state.tool = Some(tool);
+    }
+
     /// Whether the control knows where all axes are: not before the first motion, nor behind a block that moves an axis
     /// elsewhere.
     pub fn knows_position(&self) -> bool {

@@ -2,9 +2,10 @@
 
 use super::lowering::Lowering;
 use super::scene::Scene;
-use super::{Axis, LACKING, motion, template};
+use super::{Axis, LACKING, motion, table, template};
 use crate::syntax::tree::{Body, ControllerStatement, LineTemplate, TemplatePiece};
 use mach_runtime::diagnostic::Diagnostic;
+use mach_runtime::dialect::meaning::Meaning;
 use mach_runtime::nc::dialect::{Block, Trigger};
 
 /// The blocks, in the order of their triggers.
@@ -48,12 +49,12 @@ fn report_missing_motion(lowering: &mut Lowering<'_>, trigger: Trigger) {
 
 /// A code that a block prints must have been given.
 fn check_codes(lowering: &mut Lowering<'_>, index: usize, body: &Body<LineTemplate>) {
-    use ControllerStatement::{FeedCode, Offset, UnitsCode};
-    let said = |pick: fn(&ControllerStatement) -> bool| lowering.controller.statements.iter().any(pick);
+    let members = table::members(lowering);
+    let said = |pick: fn(Meaning) -> bool| members.iter().any(|(_, member)| pick(member.meaning.0));
     let lacking = [
-        ("offset", "offset \"G54\"", said(|it| matches!(it, Offset(_)))),
-        ("units", "code units mm \"G21\" inch \"G20\"", said(|it| matches!(it, UnitsCode { .. }))),
-        ("feed_mode", "code feed minute \"G94\"", said(|it| matches!(it, FeedCode { .. }))),
+        ("offset", "group offset { 1 \"G54\" }", said(|it| it == Meaning::Offset)),
+        ("units", "group units { mm \"G21\" inch \"G20\" }", said(|it| matches!(it, Meaning::Units(_)))),
+        ("feed_mode", "group feed { minute \"G94\" }", said(|it| matches!(it, Meaning::FeedMode(_)))),
     ];
     for piece in body.statements.iter().flat_map(|line| &line.node.pieces) {
         let TemplatePiece::Placeholder { name, .. } = &piece.value else { continue };

@@ -3,7 +3,7 @@
 use super::Axis;
 use super::address::{self, Address};
 use super::lowering::Lowering;
-use crate::syntax::tree::{ControllerStatement, Span, Text};
+use crate::syntax::tree::{ControllerStatement, Span, Spanned, TemplatePiece};
 use mach_runtime::diagnostic::Code;
 use mach_runtime::nc::moves::has_word;
 
@@ -12,50 +12,62 @@ pub(super) static MORE_THAN_A_CODE: Code = Code {
     id: "E0532",
     title: "the text of a code holds a word or a code that motions print",
     explanation: "\
-Motions print words and codes of `modal` groups only when they change. What `{offset}`, `{units}` and `{feed_mode}` print must
-therefore leave them alone, and a code of a `modal` statement is no word of an axis, of the feed, or a sequence number.
+Motions print words and codes of the group `motion` only when they change. The text of a meaning must therefore leave them
+alone: it holds no word of an axis or of the feed and no sequence number, and outside of the group `motion` no code of it.
 
-    offset \"G54 X5.\"          // where is X then?
-    offset \"G54 G0\"           // with `modal G0 G1` the next cut would print no G1
-    modal C0 C90              // axis words of a machine with an axis C
+    group offset { 1 \"G54 X5.\" }       // where is X then?
+    group offset { 1 \"G54 G0\" }        // the next cut would print no G1
+    plain \"C90\"                       // an axis word of a machine with an axis C
 ",
 };
 
 /// A text of codes, and where it is said.
 struct Said<'a> {
     index: usize,
-    text: &'a str,
+    /// Without its holes.
+    text: String,
     span: &'a Span,
+    is_motion: bool,
 }
 
 /// Reports the texts that hold more than codes of their own.
 pub(super) fn check(lowering: &mut Lowering<'_>, axes: &[Axis<'_>], modal_groups: &[Vec<String>]) {
     let addresses = address::in_programs(lowering, axes);
     let texts = lowering.statements().flat_map(|(index, statement)| texts(index, statement));
-    for Said { index, text, span } in texts {
-        if let Some(what) = word(text, &addresses).or_else(|| modal_code(text, modal_groups)) {
+    for Said { index, text, span, is_motion } in texts {
+        let modal_code = || if is_motion { None } else { modal_code(&text, modal_groups) };
+        if let Some(what) = word(&text, &addresses).or_else(modal_code) {
             let message = format!("`{text}` is more than a code: it holds {what}");
             lowering.report(&MORE_THAN_A_CODE, message, index, span, "motions would not know of it");
         }
     }
 }
 
-fn said(index: usize, text: &Text) -> Said<'_> {
-    Said { index, text: &text.value, span: &text.span }
-}
-
 fn texts(index: usize, statement: &ControllerStatement) -> Vec<Said<'_>> {
-    use ControllerStatement::{FeedCode, Modal, Offset, UnitsCode};
-    let said = |text| said(index, text);
     match statement {
-        Offset(text) => vec![said(text)],
-        UnitsCode { mm, inch } => vec![said(mm), said(inch)],
-        FeedCode { minute, revolution } => {
-            [Some(minute), revolution.as_ref()].into_iter().flatten().map(said).collect()
+        ControllerStatement::Plain { pattern, .. } => vec![said(index, pattern, false)],
+        ControllerStatement::Group { name, body } => {
+            let patterns = body.statements.iter().flat_map(|member| &member.node.patterns);
+            patterns.map(|pattern| said(index, pattern, name.value == "motion")).collect()
         }
-        Modal(codes) => codes.iter().map(|code| Said { index, text: &code.value, span: &code.span }).collect(),
         _ => Vec::new(),
     }
+}
+
+fn said(index: usize, pattern: &Pattern, is_motion: bool) -> Said<'_> {
+    Said { index, text: literal(&pattern.value), span: &pattern.span, is_motion }
+}
+
+/// A text with its holes.
+type Pattern = Spanned<Vec<Spanned<TemplatePiece>>>;
+
+/// What stands in the text between its holes.
+fn literal(pieces: &[Spanned<TemplatePiece>]) -> String {
+    let literal = |piece: &Spanned<TemplatePiece>| match &piece.value {
+        TemplatePiece::Text(text) => text.clone(),
+        TemplatePiece::Placeholder { .. } => " ".to_owned(),
+    };
+    pieces.iter().map(literal).collect()
 }
 
 /// The word in a text that the program's blocks print.

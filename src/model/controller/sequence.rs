@@ -57,7 +57,7 @@ pub(super) fn sequence(lowering: &mut Lowering<'_>) -> Option<Sequence> {
 }
 
 /// A whole number written as digits.
-fn whole(lowering: &mut Lowering<'_>, index: usize, expression: &Expression, least: u64) -> Option<u64> {
+pub(super) fn whole(lowering: &mut Lowering<'_>, index: usize, expression: &Expression, least: u64) -> Option<u64> {
     let number = match &*expression.value {
         ExpressionKind::Number { digits, unit: None } => digits.parse().ok(),
         _ => None,
@@ -65,7 +65,7 @@ fn whole(lowering: &mut Lowering<'_>, index: usize, expression: &Expression, lea
     let number = number.filter(|number| (least..=MOST_SEQUENCE).contains(number));
     if number.is_none() {
         let label = format!("a whole number from {least} to {MOST_SEQUENCE} is expected");
-        lowering.report(&BAD_SEQUENCE, "this cannot be a sequence number", index, &expression.span, label);
+        lowering.report(&BAD_SEQUENCE, "this is not the whole number that is needed", index, &expression.span, label);
     }
     number
 }

@@ -129,7 +129,7 @@ fn required(lowering: &mut Lowering<'_>, formats: &Formats<'_>, name: &str, whos
 }
 
 /// The word of this name.
-fn find(lowering: &Lowering<'_>, formats: &Formats<'_>, name: &str) -> Option<Word> {
+pub(super) fn find(lowering: &Lowering<'_>, formats: &Formats<'_>, name: &str) -> Option<Word> {
     let said = Said::last(lowering, name)?;
     let picture = formats.get(said.format.value.as_str()).cloned().flatten();
     Some(Word { name: plain(name).into(), address: said.address().into(), picture: picture.unwrap_or(Picture::WHOLE) })

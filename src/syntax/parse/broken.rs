@@ -47,8 +47,7 @@ impl<'t> Builder<'_, 't> {
 
     /// Whether the name of which the statement was to speak could not be read.
     fn is_nameless(&self, failure: &Failure<'_>, start: usize) -> bool {
-        const NAMES: [Rule; 7] =
-            [Rule::name, Rule::axis, Rule::format, Rule::error_name, Rule::code, Rule::event, Rule::word];
+        const NAMES: [Rule; 6] = [Rule::name, Rule::axis, Rule::format, Rule::error_name, Rule::event, Rule::word];
         let is_name = failure.expected.iter().any(|rule| NAMES.contains(rule));
         let is_value = failure.expected.contains(&Rule::quantity);
         let before = &self.failures.text()[start..start + failure.length];

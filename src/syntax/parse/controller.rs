@@ -5,7 +5,8 @@ use mach_runtime::diagnostic::{Code, Diagnostic, Suggestion};
 use super::grammar::{self, Pair, Rule};
 use super::{Builder, Parts, parts, template, word};
 use crate::syntax::spelling::nearest;
-use crate::syntax::tree::{ControllerStatement, Expression, LengthUnit, Spanned, Text, Trigger};
+use crate::syntax::tree::{Body, ControllerStatement, Expression, LengthUnit, Member, Span, Spanned, Text, Trigger};
+use mach_runtime::dialect::names;
 
 /// An event that does not exist.
 pub static UNKNOWN_EVENT: Code = Code {
@@ -23,6 +24,33 @@ An `on` block says what is printed when something happens. What may happen:
     on spindle clockwise { \"S{speed} M3\" }",
 };
 
+/// A group or a member of one that does not exist.
+pub static UNKNOWN_MEANING: Code = Code {
+    id: "E0111",
+    title: "unknown meaning",
+    explanation: "\
+What a text of a program can mean is a fixed list, in groups of which one member is in force at a time:
+
+    motion     rapid, line, arc clockwise, arc counterclockwise
+    plane      xy, zx, yz                 distance   absolute, incremental
+    units      mm, inch                   feed       minute, revolution, inverse
+    centre     from start, absolute       side       off, left, right
+    offset     1, 2, 3 …                  length     off, on
+    tip        off, on                    frame      off, on
+    cycle      off, on                    path       exact, blend
+    spindle    off, clockwise, counterclockwise
+    coolant    off, flood, mist, through
+
+    group plane { xy \"G17\"  zx \"G18\"  yz \"G19\" }
+
+What happens once in its block: machine coordinates, reference point, tool change, preselect, dwell, stop, optional stop, end,
+program, message.
+
+    once { stop \"M0\" }
+
+A code that moves nothing and switches nothing of these is declared with what it does: `plain \"M11\" \"C unclamped\"`.",
+};
+
 impl<'t> Builder<'_, 't> {
     pub(super) fn controller_statement(&mut self, pair: Pair<'t>) -> Option<ControllerStatement> {
         let rule = pair.as_rule();
@@ -35,9 +63,8 @@ impl<'t> Builder<'_, 't> {
                 close: parts.take(Rule::text).map(|text| template::text(&text)),
             },
             Rule::sequence_statement => self.sequence(parts),
-            Rule::offset_statement => ControllerStatement::Offset(parts.text()),
+            Rule::offset_statement => ControllerStatement::Offset(self.expression(parts.next())),
             Rule::retract_statement => ControllerStatement::Retract(parts.text()),
-            Rule::code_statement => codes(parts.next()),
             Rule::format_statement => ControllerStatement::Format {
                 name: parts.name(),
                 picture: parts.text(),
@@ -50,7 +77,16 @@ impl<'t> Builder<'_, 't> {
                 address: text_of(&mut parts, Rule::as_clause),
             },
             Rule::write_statement => self.write(parts),
-            Rule::modal_statement => ControllerStatement::Modal(parts.rest().map(|code| word(&code)).collect()),
+            Rule::group_statement => return self.group(parts),
+            Rule::once_statement => {
+                let body = parts.next();
+                let name = Spanned { value: "once", span: grammar::extent(&body) };
+                ControllerStatement::Group { body: self.members(name.value, body), name }
+            }
+            Rule::plain_statement => ControllerStatement::Plain {
+                pattern: template::pieces(parts.next()),
+                note: parts.take(Rule::text).map(|text| template::text(&text)),
+            },
             Rule::on_statement => return self.on(parts),
             rule => unreachable!("{rule:?} is no statement of a controller in the grammar"),
         })
@@ -84,10 +120,62 @@ impl<'t> Builder<'_, 't> {
         Some(ControllerStatement::On { event: event?, body })
     }
 
+    fn group(&mut self, mut parts: Parts<'t>) -> Option<ControllerStatement> {
+        let pair = parts.next();
+        let known: Vec<&str> = names::groups().filter(|group| *group != "once").collect();
+        let name = known.iter().copied().find(|group| *group == pair.as_str());
+        let body = parts.next();
+        let Some(value) = name else {
+            let span = grammar::extent(&pair);
+            self.unknown(&UNKNOWN_MEANING, "group", pair.as_str(), &span, known);
+            return None;
+        };
+        let name = Spanned { value, span: grammar::extent(&pair) };
+        Some(ControllerStatement::Group { body: self.members(value, body), name })
+    }
+
+    /// The members of a group.
+    fn members(&mut self, group: &'static str, body: Pair<'t>) -> Body<Member> {
+        self.body(body, Rule::member, |builder, pair| {
+            let mut parts = parts(pair);
+            let name = parts.next();
+            let (written, span) = (words_of(&name), grammar::extent(&name));
+            let first = template::pieces(parts.next());
+            let also =
+                parts.take_all(Rule::also_clause).into_iter().map(|also| template::pieces(self::parts(also).next()));
+            let patterns = std::iter::once(first).chain(also).collect();
+            let Some(meaning) = names::meaning(group, &written) else {
+                builder.unknown(
+                    &UNKNOWN_MEANING,
+                    "member of the group",
+                    &written,
+                    &span,
+                    names::members(group).collect(),
+                );
+                return None;
+            };
+            Some(Member { name: Spanned { value: written, span }, meaning, patterns })
+        })
+    }
+
+    /// Reports a name that does not exist among those that do.
+    fn unknown(&mut self, code: &'static Code, kind: &str, written: &str, span: &Span, known: Vec<&str>) {
+        let place = self.failures.place(span);
+        let quoted: Vec<String> = known.iter().map(|name| format!("`{name}`")).collect();
+        let known_are = if known.is_empty() { "they are whole numbers".to_owned() } else { quoted.join(", ") };
+        let mut diagnostic = Diagnostic::error(code, format!("there is no {kind} `{written}`"))
+            .at(place.clone(), "")
+            .note(format!("known: {known_are}"));
+        if let Some(meant) = nearest(written, known) {
+            let text = format!("did you mean `{meant}`?");
+            diagnostic = diagnostic.suggest(Suggestion { text, place, replacement: meant.to_owned() });
+        }
+        self.failures.push(diagnostic);
+    }
+
     fn event(&mut self, pair: &Pair<'t>) -> Option<Spanned<Trigger>> {
         let span = grammar::extent(pair);
-        let written: Vec<&str> = pair.clone().into_inner().map(|word| word.as_str()).collect();
-        let written = written.join(" ");
+        let written = words_of(pair);
         let event = Trigger::from_name(&written);
         if event.is_none() {
             let place = self.failures.place(&span);
@@ -105,18 +193,14 @@ impl<'t> Builder<'_, 't> {
     }
 }
 
+/// The words of a name, with one blank between them.
+fn words_of(pair: &Pair<'_>) -> String {
+    pair.as_str().split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 fn length_unit(pair: &Pair<'_>) -> Spanned<LengthUnit> {
     let value = if pair.as_rule() == Rule::mm_kind { LengthUnit::Millimetre } else { LengthUnit::Inch };
     Spanned { value, span: grammar::extent(pair) }
-}
-
-fn codes(pair: Pair<'_>) -> ControllerStatement {
-    let rule = pair.as_rule();
-    let mut parts = parts(pair);
-    if rule == Rule::units_clause {
-        return ControllerStatement::UnitsCode { mm: parts.text(), inch: parts.text() };
-    }
-    ControllerStatement::FeedCode { minute: parts.text(), revolution: text_of(&mut parts, Rule::revolution_clause) }
 }
 
 fn text_of(parts: &mut Parts<'_>, clause: Rule) -> Option<Text> {

@@ -29,6 +29,7 @@ pub(super) fn opening_brace(statement: &Pair<'_>) -> Option<usize> {
     let first = body.into_inner().next()?;
     let is_body = matches!(statement.as_rule(), Rule::machine_statement | Rule::controller_statement)
         || matches!(statement.as_rule(), Rule::dh_statement | Rule::error_statement)
+        || matches!(statement.as_rule(), Rule::group_statement | Rule::once_statement)
         || matches!(statement.as_rule(), Rule::branch_statement | Rule::controller_choice | Rule::on_statement);
     (is_body && first.as_rule() == Rule::open_brace).then(|| first.as_span().end())
 }

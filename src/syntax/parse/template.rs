@@ -14,7 +14,13 @@ pub(super) fn text(pair: &Pair<'_>) -> Text {
 pub(super) fn line(pair: Pair<'_>) -> LineTemplate {
     let mut parts = parts(pair);
     let bare = parts.take(Rule::bare_clause).is_some();
-    LineTemplate { bare, pieces: grammar::content(parts.next()).into_iter().map(piece).collect() }
+    LineTemplate { bare, pieces: pieces(parts.next()).value }
+}
+
+/// A text with placeholders.
+pub(super) fn pieces(template: Pair<'_>) -> Spanned<Vec<Spanned<TemplatePiece>>> {
+    let span = grammar::extent(&template);
+    Spanned { value: grammar::content(template).into_iter().map(piece).collect(), span }
 }
 
 fn piece(pair: Pair<'_>) -> Spanned<TemplatePiece> {

@@ -4,7 +4,9 @@ use super::expression::expression;
 use super::layout::{Line, Table};
 use super::machine::clause;
 use super::{Printer, escaped, quoted};
-use crate::syntax::tree::{ControllerStatement, LengthUnit, LineTemplate, Name, TemplatePiece, Text};
+use crate::syntax::tree::{
+    Body, ControllerStatement, LengthUnit, LineTemplate, Member, Name, Spanned, TemplatePiece, Text, Trivia,
+};
 
 impl Printer {
     pub(super) fn controller_statement(&mut self, statement: &ControllerStatement, behind: Option<&str>) {
@@ -12,10 +14,30 @@ impl Printer {
             ControllerStatement::On { event, body } => {
                 self.lines(&format!("on {}", event.value.name()), body, behind);
             }
+            ControllerStatement::Group { name, body } => {
+                let head = if name.value == "once" { name.value.to_owned() } else { format!("group {}", name.value) };
+                self.group(&head, body, behind);
+            }
             statement => self.line(line(statement), behind),
         }
     }
+
+    /// A group: on one line where it fits and no comment stands in it.
+    fn group(&mut self, head: &str, body: &Body<Member>, behind: Option<&str>) {
+        let has_comments = !body.trailing.is_empty() || body.statements.iter().any(|it| it.trivia != Trivia::default());
+        let members = body.statements.iter().map(|it| member(&it.node).join(" "));
+        let line = format!("{head} {{ {} }}", members.collect::<Vec<_>>().join("  "));
+        if !has_comments && line.len() <= LONGEST_GROUP {
+            return self.line(Line::plain(line), behind);
+        }
+        self.block(head, body, behind, |printer, member, behind| {
+            printer.line(Line::row(Table::Members, self::member(member)), behind);
+        });
+    }
 }
+
+/// A group with more characters has a line for each member.
+const LONGEST_GROUP: usize = 100;
 
 /// A statement without a block.
 fn line(statement: &ControllerStatement) -> Line {
@@ -55,23 +77,20 @@ fn plain(statement: &ControllerStatement) -> String {
             let clauses: String = clauses.iter().map(|(keyword, value)| clause(keyword, value.as_ref())).collect();
             format!("sequence {}{clauses}", quoted(address))
         }
-        ControllerStatement::Offset(text) => format!("offset {}", quoted(text)),
+        ControllerStatement::Offset(number) => format!("offset {}", expression(number)),
         ControllerStatement::Retract(text) => format!("retract {}", quoted(text)),
-        ControllerStatement::UnitsCode { mm, inch } => {
-            format!("code units mm {} inch {}", quoted(mm), quoted(inch))
-        }
-        ControllerStatement::FeedCode { minute, revolution } => {
-            let revolution = text_clause(" revolution", revolution.as_ref());
-            format!("code feed minute {}{revolution}", quoted(minute))
-        }
         ControllerStatement::WriteRange { axis, from, to } => {
             format!("write {} {} .. {}", axis.value, expression(from), expression(to))
         }
         ControllerStatement::WriteUnwound(axis) => format!("write {} unwound", axis.value),
-        ControllerStatement::Modal(codes) => format!("modal {}", joined(codes)),
-        ControllerStatement::Format { .. } | ControllerStatement::Word { .. } | ControllerStatement::On { .. } => {
-            unreachable!("printed as a row or a block")
+        ControllerStatement::Plain { pattern, note } => {
+            let note = note.as_ref().map_or(String::new(), |note| format!(" {}", quoted(note)));
+            format!("plain {}{note}", pieces(&pattern.value))
         }
+        ControllerStatement::Format { .. }
+        | ControllerStatement::Word { .. }
+        | ControllerStatement::Group { .. }
+        | ControllerStatement::On { .. } => unreachable!("printed as a row or a block"),
     }
 }
 
@@ -83,10 +102,22 @@ fn joined(names: &[Name]) -> String {
     names.iter().map(|name| name.value.as_str()).collect::<Vec<_>>().join(" ")
 }
 
+/// A member of a group.
+fn member(member: &Member) -> Vec<String> {
+    let mut patterns = member.patterns.iter().map(|pattern| pieces(&pattern.value));
+    let first = patterns.next().unwrap_or_default();
+    vec![member.name.value.clone(), first + &patterns.map(|also| format!(" also {also}")).collect::<String>()]
+}
+
 /// One line of an `on` block.
 pub(super) fn template(line: &LineTemplate) -> String {
-    let pieces: String = line.pieces.iter().map(|piece| template_piece(&piece.value)).collect();
-    format!("{}\"{pieces}\"", if line.bare { "bare " } else { "" })
+    format!("{}{}", if line.bare { "bare " } else { "" }, pieces(&line.pieces))
+}
+
+/// A text with placeholders, in quotes.
+fn pieces(pieces: &[Spanned<TemplatePiece>]) -> String {
+    let pieces: String = pieces.iter().map(|piece| template_piece(&piece.value)).collect();
+    format!("\"{pieces}\"")
 }
 
 fn template_piece(piece: &TemplatePiece) -> String {

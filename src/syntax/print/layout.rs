@@ -16,6 +16,8 @@ pub(super) enum Table {
     RotaryAxes,
     /// `link`
     Links,
+    /// a member of a `group`
+    Members,
     /// `error` with a value
     Errors,
     /// `at` in a table of errors

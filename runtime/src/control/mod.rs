@@ -1,0 +1,176 @@
+//! A control, as far as a program can tell: text in, motion out, by nothing but the dialect's table.
+//!
+//! A line is cut into tokens (`token`), patterns claim them (`claim`), the block is what they mean (`block`). It changes what is
+//! modal (`modal`), and moves axes (`motion`): a control knows where they are only once it has been told.
+
+mod block;
+mod claim;
+mod line;
+mod mistake;
+mod modal;
+mod motion;
+mod token;
+
+pub use block::{AxisWord, Block, Code};
+pub use mistake::Mistake;
+pub use modal::Modal;
+
+use crate::dialect::meaning::{Coolant, Distance, FeedMode, Meaning, Once, Spindle};
+use crate::dialect::table::Table;
+use crate::machine::{Axis, ToolGeometry};
+use crate::motion::{Event, Feed, Item, Motion, What};
+use crate::unit::LengthUnit;
+use std::ops::Range;
+
+/// A mistake in a line, and where it stands, in bytes of the line.
+pub type Fault = (Mistake, Range<usize>);
+
+/// A control that runs a program block by block.
+#[derive(Debug, Clone)]
+pub struct Control<'m> {
+    table: &'m Table,
+    order: Vec<usize>,
+    axes: &'m [Axis],
+    tool: ToolGeometry,
+    modal: Modal,
+    /// Machine coordinates in millimetres and degrees; zero where it is not known.
+    joints: Vec<f64>,
+    /// The axes whose position is known, the first one in the lowest bit.
+    known: u64,
+    /// The text of lines that go on in the next one.
+    continued: String,
+}
+
+impl<'m> Control<'m> {
+    /// A control that has been switched on. `axes` are the machine's, in the order that the table counts them in.
+    pub fn new(table: &'m Table, axes: &'m [Axis], tool: ToolGeometry) -> Self {
+        let mut modal = Modal::default();
+        table.power_on.iter().for_each(|&(meaning, number)| modal.take(meaning, number));
+        let joints = vec![0.0; axes.len()];
+        Self { table, order: claim::order(table), axes, tool, modal, joints, known: 0, continued: String::new() }
+    }
+
+    /// What is modal now.
+    pub fn modal(&self) -> &Modal {
+        &self.modal
+    }
+
+    /// Puts what is modal into a state, as if blocks had done so.
+    pub fn set_modal(&mut self, modal: Modal) {
+        self.modal = modal;
+    }
+
+    /// The axes whose position is known, the first one in the lowest bit.
+    pub fn known(&self) -> u64 {
+        self.known
+    }
+
+    /// Puts the axes somewhere, in machine coordinates.
+    pub fn stand_at(&mut self, joints: &[f64]) {
+        self.joints.copy_from_slice(joints);
+        self.known = (1 << joints.len()) - 1;
+    }
+
+    /// Reads a line without running it; `None` for a line without a block.
+    ///
+    /// # Errors
+    /// What the control does not understand.
+    pub fn read(&self, text: &str) -> Result<Option<Block>, Fault> {
+        let line = line::block(text, self.table)?;
+        let capitals = line.text.to_ascii_uppercase();
+        if capitals.trim().is_empty() {
+            return Ok(None);
+        }
+        let at = |(mistake, span): Fault| (mistake, span.start + line.at..span.end + line.at);
+        Block::read(&capitals, self.table, &self.order).map(Some).map_err(at)
+    }
+
+    /// Runs a line of the program, and appends what it does to `out`. Gives the block; `None` for a line without one, and
+    /// for one that goes on in the next.
+    ///
+    /// # Errors
+    /// What the control does not understand, or cannot do. Nothing of the line has been done then.
+    pub fn run(&mut self, text: &str, number: u64, out: &mut Motion) -> Result<Option<Block>, Fault> {
+        let line = line::block(text, self.table)?;
+        let capitals = line.text.to_ascii_uppercase();
+        if let Some(mark) = &self.table.continued
+            && let Some(begun) = capitals.trim_end().strip_suffix(mark.as_str())
+        {
+            self.continued += begun;
+            return Ok(None);
+        }
+        let whole = std::mem::take(&mut self.continued) + &capitals;
+        if whole.trim().is_empty() {
+            return Ok(None);
+        }
+        let before = line.at;
+        let at = |(mistake, span): Fault| (mistake, span.start + before..span.end + before);
+        let block = Block::read(&whole, self.table, &self.order).map_err(at)?;
+        let (modal, known, joints) = (self.modal.clone(), self.known, self.joints.clone());
+        if let Err(mistake) = self.carry_out(&block, number, out) {
+            (self.modal, self.known, self.joints) = (modal, known, joints);
+            return Err((mistake, before..before + whole.len()));
+        }
+        Ok(Some(block))
+    }
+
+    /// Does what a block says, in the order in which a control does: what is modal, the spindle and the coolant on, the tool,
+    /// the motion, and then what stops something.
+    fn carry_out(&mut self, block: &Block, line: u64, out: &mut Motion) -> Result<(), Mistake> {
+        let number = |code: &Code| code.number.map(|number| number as u32);
+        let (late, early): (Vec<&Code>, Vec<&Code>) = block.codes.iter().partition(|code| is_late(code.meaning));
+        early.iter().for_each(|code| self.modal.take(code.meaning, number(code)));
+        self.take_words(block);
+        if let Some(code) = block.once(Once::ToolChange) {
+            let tool = number(code).or(self.modal.called_tool);
+            self.modal.state.tool = tool;
+            self.event(Event::ToolChange(tool.unwrap_or(0)), line, out);
+        }
+        if let Some(code) = block.once(Once::Preselect) {
+            self.modal.called_tool = number(code);
+        }
+        if let Some(code) = block.once(Once::Dwell) {
+            self.event(Event::Dwell(code.number.unwrap_or(0.0)), line, out);
+        }
+        if !block.axes.is_empty() || block.centre != [None; 3] {
+            self.go(block, line, out)?;
+        }
+        late.iter().for_each(|code| self.modal.take(code.meaning, number(code)));
+        for (once, event) in
+            [(Once::Stop, Event::Stop), (Once::OptionalStop, Event::OptionalStop), (Once::End, Event::End)]
+        {
+            if block.once(once).is_some() {
+                self.event(event, line, out);
+            }
+        }
+        Ok(())
+    }
+
+    /// Feed, speed and tool.
+    fn take_words(&mut self, block: &Block) {
+        self.modal.feed = block.feed.or(self.modal.feed);
+        self.modal.called_tool = block.tool.map(|tool| tool as u32).or(self.modal.called_tool);
+        self.modal.state.speed_rpm = block.speed.unwrap_or(self.modal.state.speed_rpm);
+        let length = if self.modal.units == Some(LengthUnit::Inch) { 25.4 } else { 1.0 };
+        self.modal.state.feed = self.modal.feed.zip(self.modal.feed_mode).map(|(feed, mode)| match mode {
+            FeedMode::PerMinute => Feed::PerMinute(length * feed),
+            FeedMode::PerRevolution => Feed::PerRevolution(length * feed),
+            FeedMode::Inverse => Feed::Inverse(feed),
+        });
+    }
+
+    fn event(&mut self, event: Event, line: u64, out: &mut Motion) {
+        let state = out.push_state(&self.modal.state);
+        out.push(Item { line, state, what: What::Event(event) });
+    }
+
+    /// Whether axis words count from where the axes are.
+    fn is_incremental(&self) -> bool {
+        self.modal.distance == Some(Distance::Incremental)
+    }
+}
+
+/// Whether a code acts when the block's motion is over.
+fn is_late(meaning: Meaning) -> bool {
+    matches!(meaning, Meaning::Spindle(Spindle::Off) | Meaning::Coolant(Coolant::Off))
+}

@@ -1,0 +1,70 @@
+//! What a block does, run on the control's model.
+
+use super::sample::START;
+use mach_runtime::control::{Control, Modal};
+use mach_runtime::dialect::meaning::{Coolant, Distance, FeedMode, Plane, Spindle};
+use mach_runtime::dialect::table::Table;
+use mach_runtime::machine::{Axis, ToolGeometry};
+use mach_runtime::motion::{Coolants, Motion, State, What};
+use mach_runtime::nc::dialect::{Dialect, Trigger};
+
+/// What running a block has done.
+pub(super) struct Run {
+    pub(super) before: Modal,
+    pub(super) after: Modal,
+    pub(super) motion: Motion,
+    /// Where the last motion ends; `None` where there is none.
+    pub(super) joints_at_end: Option<Vec<f64>>,
+}
+
+/// Runs the text of an event's block, in the middle of a program or at its start.
+///
+/// # Errors
+/// What cannot be read, and where.
+pub(super) fn run(
+    text: &str,
+    dialect: &Dialect,
+    table: &Table,
+    axes: &[Axis],
+    trigger: Trigger,
+) -> Result<Run, String> {
+    let mut control = Control::new(table, axes, ToolGeometry::of_length(0.0));
+    if trigger != Trigger::Start {
+        control.set_modal(usual(dialect));
+        control.stand_at(&vec![START; axes.len()]);
+    }
+    let before = control.modal().clone();
+    let mut motion = Motion::new(axes.len());
+    for (number, line) in text.lines().enumerate() {
+        control
+            .run(line, number as u64 + 1, &mut motion)
+            .map_err(|(mistake, _)| format!("cannot be read: {mistake}, in `{}`", line.trim()))?;
+    }
+    let joints_at_end = motion.items().iter().rev().find_map(|item| match &item.what {
+        What::Move(last) => Some(motion.joints(last).to_vec()),
+        What::Event(_) => None,
+    });
+    Ok(Run { before, after: control.modal().clone(), motion, joints_at_end })
+}
+
+/// What is in force in the middle of a program, with everything on that a block could switch off.
+fn usual(dialect: &Dialect) -> Modal {
+    Modal {
+        plane: Some(Plane::Xy),
+        distance: Some(Distance::Absolute),
+        units: Some(dialect.units),
+        feed_mode: Some(FeedMode::PerMinute),
+        feed: Some(321.0),
+        called_tool: Some(3),
+        state: State {
+            tool: Some(3),
+            length_register: None,
+            offset: Some(1),
+            spindle: Spindle::Clockwise,
+            speed_rpm: 500.0,
+            coolant: Coolants::OFF.with(Coolant::Mist),
+            ..State::default()
+        },
+        ..Modal::default()
+    }
+}

@@ -1,0 +1,88 @@
+//! The text of a block with sample values.
+
+use super::super::Axis as Named;
+use mach_runtime::cl::event::{Approach, Feed};
+use mach_runtime::machine::{Axis, Motion, Rule, Travel, Written};
+use mach_runtime::nc::dialect::{Block, Dialect, Trigger};
+use mach_runtime::nc::writer::{LoadedTool, Values, Writer};
+use mach_runtime::unit::LengthUnit;
+
+/// The number of the tool and of its register, revolutions a minute and a dwell in seconds, in the trial.
+pub(super) const TOOL: u64 = 7;
+pub(super) const SPEED_RPM: f64 = 1234.0;
+pub(super) const DWELL_S: f64 = 1.5;
+
+/// Where the axes of the trial go, how far words in inches may round that, and where they come from.
+pub(super) const TARGET: f64 = 0.5;
+pub(super) const ROUNDED: f64 = 0.01;
+pub(super) const START: f64 = 2.0;
+
+/// The axes of the trial: each can be told from where it was, and the last linear one is the way out.
+pub(super) fn axes(named: &[Named<'_>]) -> Vec<Axis> {
+    let last = named.iter().rposition(|axis| axis.motion == Motion::Linear);
+    let axis = |(index, axis): (usize, &Named<'_>)| Axis {
+        name: axis.name.to_owned(),
+        motion: axis.motion,
+        travel: Travel { lower: -5.0, upper: 5.0 },
+        written: Written::Unwound,
+        zero: 0.0,
+        rule: Rule::Pose,
+        length_share: if Some(index) == last { 1.0 } else { 0.0 },
+        rapid_per_min: None,
+    };
+    named.iter().enumerate().map(axis).collect()
+}
+
+/// The text of a block with sample values; none where it cannot be printed, which is another's business.
+pub(super) fn print(dialect: &Dialect, axes: &[Axis], block: &Block) -> Option<String> {
+    let only = Dialect { blocks: vec![block.clone()], ..dialect.clone() };
+    let mut writer = Writer::new(only, axes);
+    let mut text = Vec::new();
+    let printed = match approach(block.trigger, dialect) {
+        Some(approach) => {
+            let joints = vec![TARGET; axes.len()];
+            let only = Block { trigger: plain(block.trigger), ..block.clone() };
+            writer = Writer::new(Dialect { blocks: vec![only], ..dialect.clone() }, axes);
+            writer.load(LOADED);
+            writer.motion(approach, &joints, 0.0, &mut text)
+        }
+        None => writer.command(block.trigger, &SAMPLE, &mut text),
+    };
+    printed.ok()?;
+    Some(String::from_utf8_lossy(&text).into_owned())
+}
+
+const LOADED: LoadedTool = LoadedTool { number: TOOL, register: TOOL };
+
+const SAMPLE: Values<'_> = Values {
+    program: "PROGRAM",
+    machine: "MACHINE",
+    operation: "OPERATION",
+    tool_name: "NAME",
+    text: "TEXT",
+    tool: Some(LOADED),
+    speed_rpm: SPEED_RPM,
+    dwell_s: DWELL_S,
+};
+
+/// An approach is printed as the motion that it stands for.
+fn plain(trigger: Trigger) -> Trigger {
+    match trigger {
+        Trigger::Approach => Trigger::Rapid,
+        Trigger::ApproachFeed => Trigger::Feed,
+        other => other,
+    }
+}
+
+fn approach(trigger: Trigger, dialect: &Dialect) -> Option<Approach> {
+    match plain(trigger) {
+        Trigger::Rapid => Some(Approach::Rapid),
+        Trigger::Feed => Some(Approach::Feed(Some(Feed::PerMinute(feed_mm_per_min(dialect))))),
+        _ => None,
+    }
+}
+
+/// A feed that any picture prints.
+pub(super) fn feed_mm_per_min(dialect: &Dialect) -> f64 {
+    if dialect.units == LengthUnit::Inch { 12.7 } else { 0.5 }
+}

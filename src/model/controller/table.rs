@@ -1,0 +1,157 @@
+//! The table of a dialect: what its texts mean, for reading.
+
+use super::Axis;
+use super::lowering::Lowering;
+use super::pattern;
+use super::word::{self, Formats};
+use crate::syntax::tree::{ControllerStatement, Member, Span, TemplatePiece};
+use mach_runtime::diagnostic::{Code, Diagnostic};
+use mach_runtime::dialect::meaning::{Meaning, Switch};
+use mach_runtime::dialect::pattern::Pattern;
+use mach_runtime::dialect::table::{BlockKind, Role, Table, TableWord, Wrap};
+use mach_runtime::machine::Motion;
+use mach_runtime::nc::dialect::{Sequence, Word};
+use mach_runtime::number::DecimalPoint;
+
+/// A text of a meaning that is no pattern.
+pub(super) static BAD_PATTERN: Code = Code {
+    id: "E0560",
+    title: "this is no pattern of a code",
+    explanation: "\
+The text of a meaning is made of codes and words as they stand in a block, with holes for their numbers:
+
+    group length { off \"G49\"  on \"G43 H{register:00}\" }
+    once {
+        dwell \"G4 P{milliseconds}\" also \"G4 X{seconds}\"
+        message \"MSG(\\\"{text}\\\")\"
+    }
+
+The holes are `{tool}`, `{register}`, `{seconds}`, `{milliseconds}`, `{program}`, `{text}` and `{any}`.",
+};
+
+/// A text with two meanings.
+pub(super) static TWO_MEANINGS: Code = Code {
+    id: "E0561",
+    title: "a code has two meanings",
+    explanation: "\
+Each text means one thing, so that a program can be read. Only what switches off may switch off more than one thing:
+
+    group length { off \"G49\"  on \"G43 H{register}\" }
+    group tip    { off \"G49\"  on \"G43.4 H{register}\" }",
+};
+
+/// The table, for a machine with these axes.
+pub(super) fn table(
+    lowering: &mut Lowering<'_>,
+    formats: &Formats<'_>,
+    axes: &[Axis<'_>],
+    axis_words: &[Word],
+    comment: &(String, String),
+    sequence: Option<&Sequence>,
+) -> Table {
+    let words = axes.iter().zip(axis_words).enumerate();
+    let words = words.map(|(index, (axis, word))| table_word(word, Role::Axis(index), axis.motion == Motion::Linear));
+    let others = [
+        ("I", Role::Centre(0)),
+        ("J", Role::Centre(1)),
+        ("K", Role::Centre(2)),
+        ("R", Role::Radius),
+        ("F", Role::Feed),
+        ("S", Role::Speed),
+        ("T", Role::Tool),
+    ];
+    let mut words: Vec<TableWord> = words.collect();
+    for (name, role) in others.into_iter().filter(|(name, _)| axes.iter().all(|axis| axis.name != *name)) {
+        let word = word::find(lowering, formats, name);
+        words.extend(word.map(|word| table_word(&word, role, false)));
+    }
+    Table {
+        blocks: BlockKind::Words,
+        comment: comment.clone(),
+        sequence: sequence.map(|sequence| sequence.address.clone()),
+        continued: None,
+        words,
+        forms: Vec::new(),
+        patterns: patterns(lowering),
+        wrap: Wrap::Shortest,
+        power_on: Vec::new(),
+    }
+}
+
+fn table_word(word: &Word, role: Role, is_length: bool) -> TableWord {
+    // A control for which every word has its point may take one without as thousandths.
+    let is_sure = word.picture.point != DecimalPoint::Always || matches!(role, Role::Feed | Role::Speed | Role::Tool);
+    TableWord {
+        address: word.address.clone(),
+        role,
+        metric: 1.0,
+        inch: if is_length { 25.4 } else { 1.0 },
+        pointless: is_sure.then_some(1.0),
+    }
+}
+
+/// The members of all groups, with the index of their statement.
+pub(super) fn members<'a>(lowering: &Lowering<'a>) -> Vec<(usize, &'a Member)> {
+    let groups = lowering.statements().filter_map(|(index, statement)| match statement {
+        ControllerStatement::Group { body, .. } => Some((index, body)),
+        _ => None,
+    });
+    groups.flat_map(|(index, body)| body.statements.iter().map(move |member| (index, &member.node))).collect()
+}
+
+/// The text of a meaning as it is printed, where it has no hole.
+pub(super) fn literal(lowering: &Lowering<'_>, meaning: (Meaning, Option<u32>)) -> Option<String> {
+    let members = members(lowering);
+    let (_, member) = members.iter().find(|(_, member)| member.meaning == meaning)?;
+    match member.patterns.first()?.value.as_slice() {
+        [piece] => match &piece.value {
+            TemplatePiece::Text(text) => Some(text.clone()),
+            TemplatePiece::Placeholder { .. } => None,
+        },
+        _ => None,
+    }
+}
+
+fn patterns(lowering: &mut Lowering<'_>) -> Vec<Pattern> {
+    let mut patterns: Vec<Pattern> = Vec::new();
+    for (index, member) in members(lowering) {
+        let (meaning, number) = member.meaning;
+        for said in &member.patterns {
+            let Some(words) = read(lowering, index, &said.value, &said.span) else { continue };
+            match patterns.iter_mut().find(|pattern| pattern.words == words) {
+                None => patterns.push(Pattern { meanings: vec![meaning], number, words }),
+                Some(same) if is_off(meaning) && same.meanings.iter().all(|other| is_off(*other)) => {
+                    same.meanings.push(meaning);
+                }
+                Some(_) => {
+                    let place = lowering.place(index, &said.span);
+                    let message = "this text has another meaning already";
+                    let error = Diagnostic::error(&TWO_MEANINGS, message).at(place, "means something else here");
+                    lowering.diagnostics.push(error);
+                }
+            }
+        }
+    }
+    for (index, statement) in lowering.statements() {
+        let ControllerStatement::Plain { pattern, .. } = statement else { continue };
+        let words = read(lowering, index, &pattern.value, &pattern.span);
+        patterns.extend(words.map(|words| Pattern { meanings: vec![Meaning::Plain], number: None, words }));
+    }
+    patterns
+}
+
+fn is_off(meaning: Meaning) -> bool {
+    use Meaning::{Cycle, Frame, Length, Tip};
+    matches!(meaning, Length(Switch::Off) | Tip(Switch::Off) | Frame(Switch::Off) | Cycle(Switch::Off))
+}
+
+fn read(
+    lowering: &mut Lowering<'_>,
+    index: usize,
+    pieces: &[crate::syntax::tree::Spanned<TemplatePiece>],
+    span: &Span,
+) -> Option<Vec<mach_runtime::dialect::pattern::PatternWord>> {
+    pattern::words(pieces)
+        .map_err(|mistake| lowering.report(&BAD_PATTERN, "this is no pattern of a code", index, span, mistake))
+        .ok()
+}
