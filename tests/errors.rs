@@ -8,7 +8,7 @@ use mach_runtime::vector::{angle_rad, cross, norm, sub};
 use machc::compile::Compiled;
 use machc::derive::derive;
 use machc::model::errors::{Errors, LocationError};
-use machc::model::machine::{Joint, Model};
+use machc::model::machine::{Model, ModelJoint};
 use machc::model::tables;
 use machc::plan::Interpreter;
 use machc::sources::Sources;
@@ -71,7 +71,7 @@ fn measured_machine() -> impl Strategy<Value = Model> {
         |(mut model, axes, bed)| {
             model.bed = bed.min(model.chain.len());
             for (joint, (primed, measured)) in model.chain.iter_mut().zip(axes) {
-                *joint = Joint { primed, ..*joint };
+                *joint = ModelJoint { primed, ..*joint };
                 let axis = joint.axis;
                 for (component, value) in Component::ALL.into_iter().zip(measured.locations) {
                     let value = value * size(component);
@@ -190,7 +190,7 @@ fn the_tool_axis_is_compensated_away_from_the_pole() {
     });
 }
 
-fn of_the_same_kinds(a: &[machc::model::machine::Axis], b: &[machc::model::machine::Axis]) -> bool {
+fn of_the_same_kinds(a: &[machc::model::machine::ModelAxis], b: &[machc::model::machine::ModelAxis]) -> bool {
     a.iter().zip(b).all(|(a, b)| a.motion == b.motion)
 }
 

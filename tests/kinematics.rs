@@ -4,7 +4,7 @@
 use mach_runtime::kinematics::{LANES, PoseBlock};
 use mach_runtime::machine::{Motion, Rule};
 use machc::derive::derive;
-use machc::model::machine::{Joint, Model, Tool};
+use machc::model::machine::{Model, ModelJoint, Tool};
 use nalgebra::Vector3;
 use proptest::prelude::*;
 
@@ -107,7 +107,7 @@ fn the_ways_of_a_slant_bed_may_lean_as_they_like() {
                 axis("B", Motion::Rotary, Vector3::new(libm::sin(b), libm::cos(b), 0.0), points[0]),
                 axis("C", Motion::Rotary, Vector3::z(), points[1]),
             ];
-            let chain = [4, 2, 0, 1, 3].map(|axis| Joint { axis, primed: false }).to_vec();
+            let chain = [4, 2, 0, 1, 3].map(|axis| ModelJoint { axis, primed: false }).to_vec();
             model(axes, chain, Tool { axis: tool, gauge_mm: points[2], length_mm })
         },
     );

@@ -55,7 +55,7 @@ pub(crate) struct Certificate<'a> {
     off_line_in_cuts_mm: Worst,
     off_line_in_rapid_mm: Worst,
     blocks_off_line: u64,
-    axes: Vec<Axis<'a>>,
+    axes: Vec<AxisRange<'a>>,
 }
 
 /// The largest value, and the CL line it stands at.
@@ -67,7 +67,7 @@ struct Worst {
 
 /// Millimetres or degrees; no margin where there is no limit.
 #[derive(Serialize)]
-struct Axis<'a> {
+struct AxisRange<'a> {
     name: &'a str,
     unit: &'static str,
     least: Worst,
@@ -128,7 +128,7 @@ impl<'a> Certificate<'a> {
             off_line_in_cuts_mm: Worst::new(certificate.between.feed_mm),
             off_line_in_rapid_mm: Worst::new(certificate.between.rapid_mm),
             blocks_off_line: certificate.between.beyond_tolerance,
-            axes: certificate.ranges.iter().map(Axis::new).collect(),
+            axes: certificate.ranges.iter().map(AxisRange::new).collect(),
         }
     }
 }
@@ -139,7 +139,7 @@ impl Worst {
     }
 }
 
-impl<'a> Axis<'a> {
+impl<'a> AxisRange<'a> {
     fn new(range: &'a Range) -> Self {
         let margin = |margin: f64| margin.is_finite().then_some(margin);
         Self {

@@ -25,7 +25,7 @@ pub struct ReadBack {
     /// The axes that have never been given, the first one in the lowest bit.
     missing: u64,
     /// What the axes' words look like, in the same order.
-    words: Vec<AxisWord>,
+    words: Vec<AxisAddress>,
     /// The axes by their addresses, the longest first.
     by_address: Vec<usize>,
     comment: (Vec<u8>, Vec<u8>),
@@ -55,7 +55,7 @@ struct Meaning {
 
 /// How an axis' word begins, and how it might be taken to begin.
 #[derive(Debug)]
-struct AxisWord {
+struct AxisAddress {
     address: Vec<u8>,
     name: Vec<u8>,
 }
@@ -89,8 +89,9 @@ impl ReadBack {
         assert_eq!(dialect.axes.len(), axes.len(), "a dialect has one word for each axis of its machine");
         let bytes = |text: &String| text.clone().into_bytes();
         let comment = (bytes(&dialect.comment.0), bytes(&dialect.comment.1));
-        let words = dialect.axes.iter().map(|word| AxisWord { address: bytes(&word.address), name: bytes(&word.name) });
-        let words: Vec<AxisWord> = words.collect();
+        let words =
+            dialect.axes.iter().map(|word| AxisAddress { address: bytes(&word.address), name: bytes(&word.name) });
+        let words: Vec<AxisAddress> = words.collect();
         let mut by_address: Vec<usize> = (0..words.len()).collect();
         by_address.sort_by_key(|&axis| Reverse(words[axis].address.len()));
         let meaning =
@@ -231,9 +232,9 @@ impl fmt::Display for ReadError {
 impl std::error::Error for ReadError {}
 
 /// What a byte begins, between words.
-fn begins(byte: u8, axes: &[AxisWord], comment: &[u8]) -> Begins {
-    let addressed = |axis: &AxisWord| axis.address.first() == Some(&byte);
-    let named = |axis: &AxisWord| axis.name.first() == Some(&byte);
+fn begins(byte: u8, axes: &[AxisAddress], comment: &[u8]) -> Begins {
+    let addressed = |axis: &AxisAddress| axis.address.first() == Some(&byte);
+    let named = |axis: &AxisAddress| axis.name.first() == Some(&byte);
     let unsure = axes.iter().any(|axis| addressed(axis) && axis.address.len() > 1);
     match axes.iter().position(addressed).map(u8::try_from) {
         _ if byte == b'\n' => Begins::Block,

@@ -2,8 +2,8 @@
 
 use super::{PARALLEL_SINE, standing};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::model::directions::ALONG_SINE;
 use crate::model::draft::{AxisDraft, Draft};
-use crate::model::standing::ALONG_SINE;
 use mach_runtime::machine::Motion;
 
 /// Linear axes in one plane.

@@ -1,9 +1,9 @@
 //! The directions of a draft as they stand: what the checks of the geometry look at.
 
 use crate::diagnostic::Diagnostic;
+use crate::model::directions::{StandingJoint, standing};
 use crate::model::draft::{AxisDraft, Draft};
 use crate::model::quantity::readable;
-use crate::model::standing::{Joint, standing};
 use crate::syntax::tree::Link;
 use mach_runtime::machine::{Motion, Rule};
 use nalgebra::Vector3;
@@ -51,14 +51,14 @@ pub(super) fn noted(draft: &Draft<'_>, diagnostic: Diagnostic) -> Diagnostic {
 /// With the surplus rotaries so far away from where they stand.
 fn with<'a>(draft: &'a Draft<'_>, away_rad: f64) -> Standing<'a> {
     let links = draft.chain.iter().flat_map(|chain| &chain.value);
-    let mut joints: Vec<(&AxisDraft, Joint)> = Vec::new();
+    let mut joints: Vec<(&AxisDraft, StandingJoint)> = Vec::new();
     for link in links {
         let Link::Axis { name, primed } = link else { continue };
         let Some((_, axis)) = draft.axis(&name.value) else { continue };
         let stands_before = joints.iter().any(|(known, _)| std::ptr::eq(*known, axis));
         let Some(direction) = axis.unit().filter(|_| !stands_before) else { continue };
         let turn_rad = turn_rad(draft, axis, away_rad);
-        joints.push((axis, Joint { direction, turn_rad: if *primed { -turn_rad } else { turn_rad } }));
+        joints.push((axis, StandingJoint { direction, turn_rad: if *primed { -turn_rad } else { turn_rad } }));
     }
     let (axes, joints): (Vec<_>, Vec<_>) = joints.into_iter().unzip();
     let tool = draft.tool.as_ref().and_then(|tool| tool.unit());

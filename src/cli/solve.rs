@@ -69,7 +69,7 @@ fn solve(
         let next = reader.next_into(&mut points, LANES).map_err(|error| cannot_read(cl, &error))?;
         path.solve(&points, &mut |solved| {
             unsolved += u64::from(solved.chosen().is_none());
-            lines.add(&Line::new(machine, solved));
+            lines.add(&PointMessage::new(machine, solved));
         });
         match next {
             Next::Full | Next::Command(..) => {}
@@ -92,7 +92,7 @@ fn solve(
 
 /// One point, solved.
 #[derive(Serialize)]
-struct Line<'a> {
+struct PointMessage<'a> {
     line: u64,
     tip_mm: [f64; 3],
     axis: [f64; 3],
@@ -144,7 +144,7 @@ struct Beyond<'a> {
 /// Axis names with their values, in the machine's order.
 struct Joints<'a>(&'a Machine, &'a [f64]);
 
-impl<'a> Line<'a> {
+impl<'a> PointMessage<'a> {
     fn new(machine: &'a Machine, solved: &'a Solved<'_>) -> Self {
         let &Point { line, tip_mm, axis, approach } = solved.point;
         let (chosen, problem) = match solved.choice {

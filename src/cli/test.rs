@@ -52,7 +52,7 @@ enum Outcome {
 /// What `--json` writes of each.
 #[derive(Serialize)]
 #[serde(tag = "type", rename = "snapshot")]
-struct Line<'a> {
+struct SnapshotMessage<'a> {
     name: &'a str,
     outcome: Outcome,
     file: &'a str,
@@ -155,7 +155,7 @@ impl Test<'_> {
         match (self.report.is_json(), outcome) {
             (true, _) => {
                 let mut lines = Lines::stdout();
-                lines.add(&Line { name, outcome, file: &file });
+                lines.add(&SnapshotMessage { name, outcome, file: &file });
                 lines.flush().map(drop)
             }
             (false, Outcome::Accepted) => Ok(()),

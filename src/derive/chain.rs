@@ -1,8 +1,8 @@
 //! The chain as the derivation reads it: elements from the workpiece to the tool, all senses positive.
 
 use super::symbolic::Vector;
-use crate::model::errors::Line;
-use crate::model::machine::Model;
+use crate::model::errors::AxisLine;
+use crate::model::machine::{Model, ModelJoint};
 use crate::plan::{Graph, Id};
 use mach_runtime::error_table::Component;
 use mach_runtime::machine::{Motion, Rule};
@@ -33,8 +33,8 @@ pub(super) type Values = Vec<Option<Id>>;
 
 impl Chain {
     pub(super) fn of(model: &Model) -> Self {
-        let element = |(place, joint): (usize, &crate::model::machine::Joint)| {
-            let Line { direction, point_mm } = model.line(joint.axis);
+        let element = |(place, joint): (usize, &ModelJoint)| {
+            let AxisLine { direction, point_mm } = model.line(joint.axis);
             Element {
                 axis: joint.axis,
                 primed: joint.primed,

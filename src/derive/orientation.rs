@@ -3,7 +3,7 @@
 use super::Angles;
 use super::chain::{Chain, Element, Values};
 use super::symbolic::{Turn, Vector, as_constant, constant, cross, dot, norm};
-use crate::model::standing::ALONG_SINE;
+use crate::model::directions::ALONG_SINE;
 use crate::plan::{Graph, Id, snap};
 use mach_runtime::kinematics::Pole;
 use nalgebra::Vector3;

@@ -1,7 +1,7 @@
 //! The proof that comes with every machine: seeded random poses through inverse and forward.
 
 use crate::model::class;
-use crate::model::machine::{Axis, Model};
+use crate::model::machine::{Model, ModelAxis};
 use crate::plan::{Interpreter, Plan};
 use mach_runtime::diagnostic::{Code, Diagnostic};
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, PoseBlock, SolutionBlock};
@@ -62,7 +62,7 @@ pub fn prove(model: &Model, plan: &Plan) -> Proof {
     let mut random = SplitMix(0x6d61_6368);
     let mut proof = Proof { poses: 0, tip_mm: 0.0, axis_rad: 0.0 };
     while proof.poses < POSES {
-        let joint = |axis: &Axis| match (axis.rule, axis.motion) {
+        let joint = |axis: &ModelAxis| match (axis.rule, axis.motion) {
             (Rule::Locked(value), _) => [value; LANES],
             (_, Motion::Rotary) => random.lane(180.0),
             (_, Motion::Linear) => random.lane(500.0),

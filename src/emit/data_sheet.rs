@@ -5,9 +5,9 @@ use super::spelling::Spelling;
 use super::transformation::{self, Inverse};
 use crate::derive::prove::Proof;
 use crate::model::class::{self, Rotary};
-use crate::model::machine::{Axis, Model};
+use crate::model::directions;
+use crate::model::machine::{Model, ModelAxis};
 use crate::model::number::number;
-use crate::model::standing;
 use crate::plan::{Interpreter, Plan};
 use mach_runtime::kinematics::{Kinematics, LANES, Miss, Outcome, PoseBlock, SolutionBlock, Tolerances};
 use mach_runtime::machine::{Motion, Rule, Written};
@@ -55,7 +55,7 @@ pub(super) fn chain(model: &Model) -> String {
     format!("w {} t", links.join(" "))
 }
 
-pub(super) fn axis(axis: &Axis) -> String {
+pub(super) fn axis(axis: &ModelAxis) -> String {
     let (kind, preposition, unit) = match axis.motion {
         Motion::Linear => ("linear", "along", "mm"),
         Motion::Rotary => ("rotary", "about", "deg"),
@@ -106,8 +106,8 @@ fn inverse(model: &Model, plan: &Plan) -> Vec<String> {
 }
 
 pub(super) fn reach(model: &Model, plan: &Plan) -> Vec<String> {
-    let turns = |axis: &&Axis| axis.motion == Motion::Rotary && axis.rule.is_surplus();
-    let stands = |axis: &Axis| format!("{} at {} deg", axis.name, number(standing::value(axis)));
+    let turns = |axis: &&ModelAxis| axis.motion == Motion::Rotary && axis.rule.is_surplus();
+    let stands = |axis: &ModelAxis| format!("{} at {} deg", axis.name, number(directions::value(axis)));
     let surplus: Vec<String> = model.axes.iter().filter(turns).map(stands).collect();
     let standing = format!("with {}:", surplus.join(" and "));
     let lines = if let Some(rotary) = class::polar(model) { polar(model, plan, &rotary) } else { cone(model) };

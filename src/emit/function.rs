@@ -2,7 +2,7 @@
 
 use super::listing::{Argument, Function, Input, Output, Remark};
 use crate::compile::Compiled;
-use crate::model::machine::Axis;
+use crate::model::machine::ModelAxis;
 use crate::plan::{AXIS_INPUT, Id, JOINT_INPUT, TIP_INPUT, TOOL_LENGTH_INPUT};
 use mach_runtime::error_table::ErrorTable;
 use mach_runtime::kinematics::Pole;
@@ -120,7 +120,7 @@ fn joint(compiled: &Compiled, axis: usize, suffix: &str, id: Id) -> Output {
 }
 
 fn joint_input(compiled: &Compiled, axis: usize) -> Input {
-    let Axis { name, motion, .. } = &compiled.model.axes[axis];
+    let ModelAxis { name, motion, .. } = &compiled.model.axes[axis];
     Input { index: JOINT_INPUT + axis, name: name.clone(), symbol: name.clone(), is_angle: *motion == Motion::Rotary }
 }
 

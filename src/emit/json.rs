@@ -6,7 +6,7 @@
 
 use crate::model::class;
 use crate::model::errors::LocationError;
-use crate::model::machine::{Axis, Model};
+use crate::model::machine::{Model, ModelAxis, ModelJoint};
 use mach_runtime::error_table::{Component, ErrorTable};
 use mach_runtime::machine::{Motion, Preference, Rule, Strictness, Travel, Written};
 use mach_runtime::nc::dialect::{Dialect, Word};
@@ -122,7 +122,7 @@ struct Branch {
 }
 
 fn chain(model: &Model) -> Vec<Link<'_>> {
-    let link = |(place, joint): (usize, &crate::model::machine::Joint)| Link {
+    let link = |(place, joint): (usize, &ModelJoint)| Link {
         axis: &model.axes[joint.axis].name,
         primed: joint.primed,
         carries: if place < model.bed { "workpiece" } else { "tool" },
@@ -130,7 +130,7 @@ fn chain(model: &Model) -> Vec<Link<'_>> {
     model.chain.iter().enumerate().map(link).collect()
 }
 
-fn axis(axis: &Axis) -> AxisEntry<'_> {
+fn axis(axis: &ModelAxis) -> AxisEntry<'_> {
     let Travel { lower, upper } = axis.travel;
     let travel = [lower, upper].map(|end| end.is_finite().then_some(end + 0.0));
     AxisEntry {
@@ -154,7 +154,7 @@ fn axis(axis: &Axis) -> AxisEntry<'_> {
 }
 
 /// As the language has it, with the unit of the value.
-fn rule(axis: &Axis) -> Map<String, Value> {
+fn rule(axis: &ModelAxis) -> Map<String, Value> {
     let at = |rule: &str, value: f64| Some((format!("{rule}_{}", axis.motion.unit()), json!(value + 0.0)));
     let said = match axis.rule {
         Rule::Pose => None,

@@ -2,7 +2,7 @@
 
 use super::draft::{AxisDraft, Draft, ErrorDraft, Measured, ToolDraft};
 use super::errors::{Errors, LocationError};
-use super::machine::{Axis, Joint, Model, Tool};
+use super::machine::{Model, ModelAxis, ModelJoint, Tool};
 use super::source::Located;
 use crate::syntax::tree::{Link, Name, Preference as Said};
 use mach_runtime::error_table::ErrorTable;
@@ -53,10 +53,10 @@ pub(crate) fn build(draft: &Draft<'_>) -> Model {
     }
 }
 
-fn build_axis(draft: &Draft<'_>, axis: &AxisDraft) -> Axis {
+fn build_axis(draft: &Draft<'_>, axis: &AxisDraft) -> ModelAxis {
     let travel = axis.travel.as_ref().map(|travel| Travel { lower: travel.value[0], upper: travel.value[1] });
     let travel = travel.unwrap_or(Travel::UNLIMITED);
-    Axis {
+    ModelAxis {
         name: axis.name.value.clone(),
         motion: axis.motion,
         direction: axis.unit().expect(CHECKED),
@@ -77,9 +77,9 @@ fn written(draft: &Draft<'_>, axis: &AxisDraft, travel: Travel) -> Written {
     }
 }
 
-fn joint(draft: &Draft<'_>, link: &Link) -> Option<Joint> {
+fn joint(draft: &Draft<'_>, link: &Link) -> Option<ModelJoint> {
     let Link::Axis { name, primed } = link else { return None };
-    Some(Joint { axis: index(draft, name), primed: *primed })
+    Some(ModelJoint { axis: index(draft, name), primed: *primed })
 }
 
 fn build_tool(tool: &ToolDraft) -> Tool {

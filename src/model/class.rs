@@ -1,8 +1,8 @@
 //! What the field calls such a machine.
 
-use super::machine::{Joint, Model};
+use super::directions;
+use super::machine::{Model, ModelJoint};
 use super::number::number;
-use super::standing;
 use mach_runtime::machine::{Motion, Rule};
 use nalgebra::Vector3;
 use std::f64::consts::FRAC_PI_2;
@@ -34,8 +34,8 @@ pub struct Rotary {
 
 /// The rotary axes that the pose decides, from the workpiece to the tool.
 pub fn rotaries(model: &Model) -> Vec<Rotary> {
-    let (directions, _) = standing::of_model(model);
-    let rotary = |(place, joint): (usize, &Joint)| {
+    let (directions, _) = directions::of_model(model);
+    let rotary = |(place, joint): (usize, &ModelJoint)| {
         let axis = &model.axes[joint.axis];
         let rotary = Rotary { axis: joint.axis, carries_workpiece: place < model.bed, direction: directions[place] };
         (axis.motion == Motion::Rotary && axis.is_solved()).then_some(rotary)
@@ -51,13 +51,13 @@ pub fn linears(model: &Model) -> Vec<&str> {
 
 /// The tool's direction where the axes stand that the pose does not decide.
 pub fn tool(model: &Model) -> Vector3<f64> {
-    standing::of_model(model).1
+    directions::of_model(model).1
 }
 
 /// The rotary axis that the position decides, of a machine with two linear axes.
 pub fn polar(model: &Model) -> Option<Rotary> {
     let [only] = rotaries(model)[..] else { return None };
-    let turns_about_tool = only.direction.cross(&tool(model)).norm() < standing::ALONG_SINE;
+    let turns_about_tool = only.direction.cross(&tool(model)).norm() < directions::ALONG_SINE;
     (linears(model).len() == 2 && turns_about_tool).then_some(only)
 }
 

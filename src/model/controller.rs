@@ -85,7 +85,7 @@ pub struct Controller<'a> {
 
 /// What a controller has to know of an axis.
 #[derive(Debug, Clone, Copy)]
-pub struct Axis<'a> {
+pub struct ControlledAxis<'a> {
     /// Its name.
     pub name: &'a str,
     /// How it moves.
@@ -98,7 +98,7 @@ pub struct Axis<'a> {
 ///
 /// # Errors
 /// Everything that is wrong with the statements.
-pub fn lower(controller: &Controller<'_>, axes: &[Axis<'_>]) -> Result<Dialect, Vec<Diagnostic>> {
+pub fn lower(controller: &Controller<'_>, axes: &[ControlledAxis<'_>]) -> Result<Dialect, Vec<Diagnostic>> {
     let mut lowering = Lowering::new(controller);
     let units = units(&lowering);
     let formats = word::formats(&mut lowering, units);

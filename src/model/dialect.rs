@@ -16,7 +16,7 @@ pub(crate) fn dialect(
 ) -> Option<Dialect> {
     let (nodes, places): (Vec<_>, Vec<Location>) =
         controller.statements.iter().map(|statement| (statement.value.clone(), statement.at.clone())).unzip();
-    let axes = draft.axes.iter().map(|axis| controller::Axis { name: &axis.name.value, motion: axis.motion });
+    let axes = draft.axes.iter().map(|axis| controller::ControlledAxis { name: &axis.name.value, motion: axis.motion });
     let axes: Vec<_> = axes.collect();
     let controller = controller::Controller {
         name: &controller.name.value.value,

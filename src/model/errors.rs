@@ -1,7 +1,7 @@
 //! The measured errors of a machine, by their names of ISO 230-1 and ISO 230-7.
 
 use super::error_name::ErrorName;
-use super::machine::{Axis, Model};
+use super::machine::{Model, ModelAxis};
 use mach_runtime::error_table::{Component, ErrorTable};
 use nalgebra::{Rotation3, Unit, Vector3};
 
@@ -27,7 +27,7 @@ pub struct LocationError {
 
 /// The line of an axis with every axis at zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Line {
+pub struct AxisLine {
     /// Its unit direction.
     pub direction: Vector3<f64>,
     /// A point on it; the origin for a linear axis.
@@ -42,13 +42,13 @@ impl Model {
 
     /// Where an axis (an index) really lies: its line as it is declared, turned about x, then y, then z of the frame by its
     /// location errors A, B and C, and shifted by X, Y and Z.
-    pub fn line(&self, axis: usize) -> Line {
-        let Axis { direction, point_mm, .. } = &self.axes[axis];
+    pub fn line(&self, axis: usize) -> AxisLine {
+        let ModelAxis { direction, point_mm, .. } = &self.axes[axis];
         let errors = || self.errors.locations.iter().filter(|error| error.axis == axis);
         let sum = |component| errors().filter(|error| error.component == component).map(|error| error.value).sum();
         let [x, y, z, a, b, c]: [f64; 6] = Component::ALL.map(sum);
         let turned = [a, b, c].into_iter().enumerate().fold(*direction, |v, (about, angle)| turn(about, angle) * v);
-        Line { direction: turned, point_mm: point_mm + Vector3::new(x, y, z) }
+        AxisLine { direction: turned, point_mm: point_mm + Vector3::new(x, y, z) }
     }
 }
 

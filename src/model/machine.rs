@@ -16,9 +16,9 @@ pub struct Model {
     /// The parameters of the file with their values, as a person would write them (`-20 mm`).
     pub parameters: Vec<(String, String)>,
     /// In the order of declaration, which is the order in which their words are written.
-    pub axes: Vec<Axis>,
+    pub axes: Vec<ModelAxis>,
     /// From the workpiece to the tool.
-    pub chain: Vec<Joint>,
+    pub chain: Vec<ModelJoint>,
     /// How many joints of the chain carry the workpiece: those before the bed.
     pub bed: usize,
     /// The tool.
@@ -43,7 +43,7 @@ pub struct Model {
 
 /// A declared axis.
 #[derive(Debug, Clone)]
-pub struct Axis {
+pub struct ModelAxis {
     /// Its name.
     pub name: String,
     /// How it moves.
@@ -62,7 +62,7 @@ pub struct Axis {
     pub written: Written,
 }
 
-impl Axis {
+impl ModelAxis {
     /// Whether the pose decides where it stands.
     pub fn is_solved(&self) -> bool {
         self.rule == Rule::Pose
@@ -71,7 +71,7 @@ impl Axis {
 
 /// One joint of the chain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Joint {
+pub struct ModelJoint {
     /// Index into [`Model::axes`].
     pub axis: usize,
     /// Whether its positive sense is the workpiece's motion.

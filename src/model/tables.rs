@@ -1,7 +1,7 @@
 //! Model to the runtime's tables.
 
-use super::errors::Line;
-use super::machine::Model;
+use super::errors::AxisLine;
+use super::machine::{Model, ModelAxis, ModelJoint};
 use mach_runtime::machine::{Axis, Chain, Joint, Machine, Motion};
 use nalgebra::{Matrix3, Vector3};
 
@@ -9,7 +9,7 @@ use nalgebra::{Matrix3, Vector3};
 pub fn machine(model: &Model) -> Machine {
     let at_zero = linear_values(model, &(model.zero_mm - model.tool.gauge_mm));
     let length_shares = linear_values(model, &model.tool.axis);
-    let axis = |(index, axis): (usize, &super::machine::Axis)| Axis {
+    let axis = |(index, axis): (usize, &ModelAxis)| Axis {
         name: axis.name.clone(),
         motion: axis.motion,
         travel: axis.travel,
@@ -36,8 +36,8 @@ pub fn machine(model: &Model) -> Machine {
 
 /// Every axis where it really lies: as it is declared, moved by its location errors.
 fn chain(model: &Model) -> Chain {
-    let joint = |joint: &super::machine::Joint| {
-        let Line { direction, point_mm } = model.line(joint.axis);
+    let joint = |joint: &ModelJoint| {
+        let AxisLine { direction, point_mm } = model.line(joint.axis);
         Joint {
             axis: joint.axis,
             motion: model.axes[joint.axis].motion,
@@ -62,7 +62,7 @@ fn vector(vector: &Vector3<f64>) -> [f64; 3] {
 /// The values of the linear axes that move the tool by this vector with the rotary axes at zero, zero for the others; two
 /// move it by as much of it as lies in their plane.
 fn linear_values(model: &Model, vector: &Vector3<f64>) -> Vec<f64> {
-    let is_linear = |axis: &super::machine::Axis| axis.motion == Motion::Linear && axis.is_solved();
+    let is_linear = |axis: &ModelAxis| axis.motion == Motion::Linear && axis.is_solved();
     let linear: Vec<_> = model.chain.iter().filter(|joint| is_linear(&model.axes[joint.axis])).collect();
     let mut columns: Vec<_> =
         linear.iter().map(|joint| model.axes[joint.axis].direction * if joint.primed { -1.0 } else { 1.0 }).collect();

@@ -4,7 +4,7 @@
 //! the page is decided here.
 
 use super::tree::{Body, Comment, Definition, File, Item, LineTemplate, Name, Stated, Text, Trivia};
-use layout::{Line, Page};
+use layout::{Page, StatementText};
 
 mod controller;
 mod expression;
@@ -46,7 +46,7 @@ impl Printer {
         }
     }
 
-    fn line(&mut self, line: Line, behind: Option<&str>) {
+    fn line(&mut self, line: StatementText, behind: Option<&str>) {
         self.page.push(self.depth, line, behind);
     }
 
@@ -59,13 +59,13 @@ impl Printer {
         print: impl Fn(&mut Self, &T, Option<&str>),
     ) {
         if body.statements.is_empty() && body.trailing.is_empty() {
-            return self.line(Line::plain(format!("{head} {{ }}")), behind);
+            return self.line(StatementText::plain(format!("{head} {{ }}")), behind);
         }
-        self.line(Line::plain(format!("{head} {{")), behind);
+        self.line(StatementText::plain(format!("{head} {{")), behind);
         self.depth += 1;
         self.body(body, print);
         self.depth -= 1;
-        self.line(Line::plain("}"), None);
+        self.line(StatementText::plain("}"), None);
     }
 
     /// An `on` block: one line of NC text stands on one line with it.
@@ -73,17 +73,17 @@ impl Printer {
         match body.statements.as_slice() {
             [only] if only.trivia == Trivia::default() && body.trailing.is_empty() => {
                 let template = controller::template(&only.node);
-                self.line(Line::plain(format!("{head} {{ {template} }}")), behind);
+                self.line(StatementText::plain(format!("{head} {{ {template} }}")), behind);
             }
             _ => self.block(head, body, behind, |printer, template, behind| {
-                printer.line(Line::plain(controller::template(template)), behind);
+                printer.line(StatementText::plain(controller::template(template)), behind);
             }),
         }
     }
 
     fn item(&mut self, item: &Item, behind: Option<&str>) {
         match item {
-            Item::Use(path) => self.line(Line::plain(format!("use {}", quoted(path))), behind),
+            Item::Use(path) => self.line(StatementText::plain(format!("use {}", quoted(path))), behind),
             Item::Machine(machine) => {
                 self.block(&head("machine", machine), &machine.body, behind, Self::machine_statement);
             }

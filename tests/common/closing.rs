@@ -3,7 +3,7 @@
 use mach_runtime::kinematics::{Kinematics, LANES, Miss, Outcome, PoseBlock, SolutionBlock, Tolerances};
 use mach_runtime::machine::{Motion, Rule};
 use mach_runtime::vector::{angle_rad, norm, sub};
-use machc::model::machine::{Axis, Model};
+use machc::model::machine::{Model, ModelAxis};
 use machc::plan::{Interpreter, Plan};
 
 const TIP_BOUND_MM: f64 = 1e-9;
@@ -21,8 +21,8 @@ fn joints(model: &Model, block: usize) -> Vec<[f64; LANES]> {
         let n = (block * LANES + lane + 1) as f64;
         2.0 * (n * step).fract() - 1.0
     };
-    let bound = |axis: &Axis| if axis.motion == Motion::Rotary { 180.0 } else { 500.0 };
-    let joint = |(i, axis): (usize, &Axis)| match axis.rule {
+    let bound = |axis: &ModelAxis| if axis.motion == Motion::Rotary { 180.0 } else { 500.0 };
+    let joint = |(i, axis): (usize, &ModelAxis)| match axis.rule {
         Rule::Locked(value) => [value; LANES],
         _ => std::array::from_fn(|l| bound(axis) * spread(i, l)),
     };
@@ -31,7 +31,7 @@ fn joints(model: &Model, block: usize) -> Vec<[f64; LANES]> {
 
 /// Whether a rotary between the linear axes stands where they no longer span space, or next to it.
 fn far(model: &Model, candidate: &[[f64; LANES]], lane: usize) -> bool {
-    let joint = |(axis, joint): (&Axis, &[f64; LANES])| {
+    let joint = |(axis, joint): (&ModelAxis, &[f64; LANES])| {
         axis.motion == Motion::Linear && (joint[lane].is_nan() || joint[lane].abs() > 1e4)
     };
     has_rotary_between(model) && model.axes.iter().zip(candidate).any(joint)

@@ -3,7 +3,7 @@
 use mach_runtime::machine::{BranchPolicy, Motion, Rule, Strictness, Travel, Written};
 use machc::model::class;
 use machc::model::errors::Errors;
-use machc::model::machine::{Axis, Joint, Model, Tool};
+use machc::model::machine::{Model, ModelAxis, ModelJoint, Tool};
 use nalgebra::Vector3;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
@@ -30,8 +30,8 @@ pub(crate) fn point() -> impl Strategy<Value = Vector3<f64>> {
 }
 
 /// An axis without limits that the pose decides.
-pub(crate) fn axis(name: &str, motion: Motion, direction: Vector3<f64>, point_mm: Vector3<f64>) -> Axis {
-    Axis {
+pub(crate) fn axis(name: &str, motion: Motion, direction: Vector3<f64>, point_mm: Vector3<f64>) -> ModelAxis {
+    ModelAxis {
         name: name.into(),
         motion,
         direction,
@@ -44,7 +44,7 @@ pub(crate) fn axis(name: &str, motion: Motion, direction: Vector3<f64>, point_mm
 }
 
 /// Axes that stand in the chain, in the order of their words.
-pub(crate) fn model(axes: Vec<Axis>, chain: Vec<Joint>, tool: Tool) -> Model {
+pub(crate) fn model(axes: Vec<ModelAxis>, chain: Vec<ModelJoint>, tool: Tool) -> Model {
     Model {
         name: "random".into(),
         title: None,
@@ -76,10 +76,10 @@ prop_compose! {
         order in Just((0..linears + rotaries).collect::<Vec<_>>()).prop_shuffle(),
         primes in prop::collection::vec(any::<bool>(), linears + rotaries),
     ) -> Model {
-        let mut axes: Vec<Axis> = ["X", "Y", "Z", "W"].iter().zip(linear).take(linears)
+        let mut axes: Vec<ModelAxis> = ["X", "Y", "Z", "W"].iter().zip(linear).take(linears)
             .map(|(name, direction)| axis(name, Motion::Linear, direction, Vector3::zeros())).collect();
         axes.extend(["A", "C", "B"].iter().zip(turning).map(|(name, (n, c))| axis(name, Motion::Rotary, n, c)));
-        let chain = order.iter().zip(primes).map(|(&axis, primed)| Joint { axis, primed }).collect();
+        let chain = order.iter().zip(primes).map(|(&axis, primed)| ModelJoint { axis, primed }).collect();
         model(axes, chain, Tool { axis: tool.0, gauge_mm: tool.1, length_mm: tool.2 })
     }
 }

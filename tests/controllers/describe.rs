@@ -3,7 +3,7 @@
 use mach_runtime::diagnostic::Diagnostic;
 use mach_runtime::machine::Motion;
 use mach_runtime::nc::dialect::Dialect;
-use machc::model::controller::{Axis, Controller, lower};
+use machc::model::controller::{ControlledAxis, Controller, lower};
 use machc::syntax::parse::parse;
 use machc::syntax::place::place;
 use machc::syntax::tree::{ControllerStatement, Item};
@@ -26,6 +26,6 @@ pub(crate) fn dialect(text: &str, axes: &[&str]) -> Result<Dialect, Vec<Diagnost
         place: &|_, span| place(FILE, text, span),
     };
     let motion = |name: &str| if name.starts_with(['A', 'B', 'C']) { Motion::Rotary } else { Motion::Linear };
-    let axes: Vec<Axis<'_>> = axes.iter().map(|name| Axis { name, motion: motion(name) }).collect();
+    let axes: Vec<ControlledAxis<'_>> = axes.iter().map(|name| ControlledAxis { name, motion: motion(name) }).collect();
     lower(&request, &axes)
 }

@@ -29,7 +29,7 @@ struct Body {
 
 impl Body {
     fn of(model: &Model, axes: &[mach_runtime::machine::Axis], place: usize, joints: &[f64]) -> Self {
-        let Joint { axis, primed } = model.chain[place];
+        let ModelJoint { axis, primed } = model.chain[place];
         let location = |component: Component| -> f64 {
             let of_this = |error: &&LocationError| error.axis == axis && error.component == component;
             model.errors.locations.iter().filter(of_this).map(|error| error.value).sum()

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::io::{self, Read};
 
 use crate::cl::record::decoded;
-use crate::cl::source::{Line, Source};
+use crate::cl::source::{Source, SourceLine};
 use crate::diagnostic::{Diagnostic, Place};
 
 /// Fills in the source lines that the diagnostics about `file` lack: those found when the points were long read.
@@ -23,7 +23,7 @@ pub fn quote(diagnostics: &mut [Diagnostic], file: &str, input: impl Read) -> io
         let Some(text) = source.next_line()? else { break };
         line += 1;
         let Some(places) = wanted.remove(&line) else { continue };
-        let (Line::Text(bytes) | Line::TooLong(bytes)) = text;
+        let (SourceLine::Text(bytes) | SourceLine::TooLong(bytes)) = text;
         let excerpt = decoded(bytes);
         for place in places {
             place.start = excerpt.len() - excerpt.trim_start().len();

@@ -6,7 +6,7 @@
 use std::io::{self, Read};
 use std::ops::Range;
 
-use crate::cl::source::{LONGEST_LINE_BYTES, Line, Source};
+use crate::cl::source::{LONGEST_LINE_BYTES, Source, SourceLine};
 use crate::cl::words::is_free_text;
 use crate::diagnostic::{Code, Diagnostic};
 
@@ -90,8 +90,8 @@ impl Record {
                 return Ok(if continued { Outcome::Fault(self.cut_record()) } else { Outcome::End });
             };
             let (bytes, whole) = match line {
-                Line::Text(text) => (text, self.raw.len() + text.len() < LONGEST_LINE_BYTES),
-                Line::TooLong(head) => (head, false),
+                SourceLine::Text(text) => (text, self.raw.len() + text.len() < LONGEST_LINE_BYTES),
+                SourceLine::TooLong(head) => (head, false),
             };
             let is_text = is_text(bytes);
             let ends = whole && self.append(bytes);

@@ -13,7 +13,7 @@ const HEAD_BYTES: usize = 120;
 
 /// One line, without its end.
 #[derive(Debug, PartialEq, Eq)]
-pub(super) enum Line<'a> {
+pub(super) enum SourceLine<'a> {
     /// The whole of it.
     Text(&'a [u8]),
     /// The first bytes of a line that is longer than [`LONGEST_LINE_BYTES`].
@@ -63,7 +63,7 @@ impl<R: Read> Source<R> {
     }
 
     /// The next line; `None` at the end of the file.
-    pub(super) fn next_line(&mut self) -> io::Result<Option<Line<'_>>> {
+    pub(super) fn next_line(&mut self) -> io::Result<Option<SourceLine<'_>>> {
         let rest = self.whole_lines()?;
         if rest.is_empty() {
             return if self.at_end { Ok(None) } else { self.skip_long_line().map(Some) };
@@ -72,7 +72,11 @@ impl<R: Read> Source<R> {
         let line = self.start..self.start + length;
         self.take_line(length);
         let text = without_end(&self.buffer[line]);
-        Ok(Some(if text.len() <= LONGEST_LINE_BYTES { Line::Text(text) } else { Line::TooLong(&text[..HEAD_BYTES]) }))
+        Ok(Some(if text.len() <= LONGEST_LINE_BYTES {
+            SourceLine::Text(text)
+        } else {
+            SourceLine::TooLong(&text[..HEAD_BYTES])
+        }))
     }
 
     /// Reads until there is a whole line, or the file ends, or the buffer is full.
@@ -107,7 +111,7 @@ impl<R: Read> Source<R> {
     }
 
     /// The buffer is full of one line: drops the rest of it as it comes.
-    fn skip_long_line(&mut self) -> io::Result<Line<'_>> {
+    fn skip_long_line(&mut self) -> io::Result<SourceLine<'_>> {
         loop {
             self.end = HEAD_BYTES;
             self.read_more()?;
@@ -126,7 +130,7 @@ impl<R: Read> Source<R> {
             }
         }
         self.lines_read += 1;
-        Ok(Line::TooLong(&self.buffer[..HEAD_BYTES]))
+        Ok(SourceLine::TooLong(&self.buffer[..HEAD_BYTES]))
     }
 }
 
@@ -145,8 +149,8 @@ mod tests {
         let mut found = Vec::new();
         while let Some(line) = source.next_line().unwrap() {
             let (length, whole) = match line {
-                Line::Text(text) => (text.len(), true),
-                Line::TooLong(head) => (head.len(), false),
+                SourceLine::Text(text) => (text.len(), true),
+                SourceLine::TooLong(head) => (head.len(), false),
             };
             found.push((source.line(), length, whole));
         }

@@ -1,7 +1,7 @@
 //! The feed word, and the code of its kind.
 
 use super::dialect::{Dialect, Word};
-use super::line::Line;
+use super::line_buffer::LineBuffer;
 use super::write_error::WriteError;
 use crate::cl::event::Feed;
 
@@ -56,7 +56,7 @@ impl FeedState {
     }
 
     /// Prints the word.
-    pub(super) fn print(self, dialect: &Dialect, line: &mut Line) {
+    pub(super) fn print(self, dialect: &Dialect, line: &mut LineBuffer) {
         let word = self.mode.word(dialect);
         line.print(|bytes| {
             bytes.extend_from_slice(word.address.as_bytes());

@@ -7,7 +7,7 @@
 
 use super::dialect::{Dialect, Piece, Trigger, Value};
 use super::feed_word::{FeedMode, FeedState};
-use super::line::Line;
+use super::line_buffer::LineBuffer;
 use super::motion_block::{MotionBlocks, MotionLine, Step};
 use super::moves::moves;
 pub use super::switches_off::SwitchesOff;
@@ -31,7 +31,7 @@ pub struct Writer {
 /// What the control knows from the blocks so far, and the line being printed.
 #[derive(Debug)]
 struct State {
-    line: Line,
+    line: LineBuffer,
     axes: WrittenAxes,
     /// The code in force of each modal group.
     codes: Vec<Option<usize>>,
@@ -48,7 +48,7 @@ impl Writer {
     /// A writer at the start of a program. `axes` are the machine's, in the order of the dialect's axis words.
     pub fn new(dialect: Dialect, axes: &[Axis]) -> Self {
         let state = State {
-            line: Line::new(dialect.sequence.clone()),
+            line: LineBuffer::new(dialect.sequence.clone()),
             axes: WrittenAxes::new(&dialect, axes),
             codes: vec![None; dialect.modal_groups.len()],
             feed: None,

@@ -2,7 +2,7 @@
 
 use super::axis_word::AxisWord;
 use super::dialect::Dialect;
-use super::line::Line;
+use super::line_buffer::LineBuffer;
 use super::write_error::WriteError;
 use crate::machine::{Axis, Retract};
 
@@ -84,7 +84,7 @@ impl WrittenAxes {
 
     /// Prints the words of these axes that change, a blank between them.
     #[inline]
-    pub(super) fn print(&self, indices: &[usize], line: &mut Line) {
+    pub(super) fn print(&self, indices: &[usize], line: &mut LineBuffer) {
         let room = line.room(self.room);
         let (all, mut left) = (room.len(), room);
         for &index in indices {
@@ -103,7 +103,7 @@ impl WrittenAxes {
     ///
     /// # Errors
     /// When a number does not fit its word.
-    pub(super) fn print_retract(&self, retract: &Retract, line: &mut Line) -> Result<(), WriteError> {
+    pub(super) fn print_retract(&self, retract: &Retract, line: &mut LineBuffer) -> Result<(), WriteError> {
         let word = &self.axes[retract.axis].word;
         let length = word.print(word.retract_units(retract)?, line.room(word.room()));
         line.take(length);

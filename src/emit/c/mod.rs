@@ -10,7 +10,7 @@ use super::function::{forward, given_and_solved, position};
 use super::listing::divides;
 use crate::compile::Compiled;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::model::machine::Axis;
+use crate::model::machine::ModelAxis;
 use code::Body;
 use mach_runtime::error_table::ErrorTable;
 use mach_runtime::machine::Motion;
@@ -39,7 +39,7 @@ Give the axes these names in the machine file that the module is made of.
 pub fn c(compiled: &Compiled) -> Result<String, Diagnostic> {
     let (given, _) = given_and_solved(compiled);
     if let Some(axis) = given.into_iter().find(|&axis| world_coordinate(&compiled.model.axes[axis]).is_none()) {
-        let Axis { name, motion, .. } = &compiled.model.axes[axis];
+        let ModelAxis { name, motion, .. } = &compiled.model.axes[axis];
         let names = if *motion == Motion::Rotary { "A, B or C" } else { "U, V or W" };
         let message = format!("LinuxCNC's world coordinates have no {name}");
         return Err(Diagnostic::error(&NO_WORLD_COORDINATE, message)
@@ -49,7 +49,7 @@ pub fn c(compiled: &Compiled) -> Result<String, Diagnostic> {
 }
 
 /// The world coordinate that an axis is copied to.
-fn world_coordinate(axis: &Axis) -> Option<&'static str> {
+fn world_coordinate(axis: &ModelAxis) -> Option<&'static str> {
     let words: [(&str, &str); 3] = match axis.motion {
         Motion::Rotary => [("A", "a"), ("B", "b"), ("C", "c")],
         Motion::Linear => [("U", "u"), ("V", "v"), ("W", "w")],

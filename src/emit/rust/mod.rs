@@ -7,6 +7,7 @@ mod literal;
 use super::function::{forward, forward_actual, given_and_solved, inverse, position};
 use super::listing::Function;
 use crate::compile::Compiled;
+use crate::model::machine::ModelAxis;
 use crate::model::tables;
 use code::Code;
 use layout::laid_out;
@@ -246,7 +247,7 @@ fn {name}({arguments}) -> (Vec3, Vec3) {{
 
 /// The joints of all axes, the rotary ones converted.
 fn in_degrees(compiled: &Compiled, joints: &[String]) -> Vec<String> {
-    let convert = |(joint, axis): (&String, &crate::model::machine::Axis)| match axis.motion {
+    let convert = |(joint, axis): (&String, &ModelAxis)| match axis.motion {
         Motion::Linear => joint.clone(),
         Motion::Rotary => format!("{joint}.to_degrees()"),
     };

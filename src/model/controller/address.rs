@@ -4,7 +4,7 @@ use super::lowering::Lowering;
 use super::placeholder::Meaning;
 use super::scene::Scene;
 use super::word::{FEED, FEED_PER_REVOLUTION, Said};
-use super::{Axis, sequence};
+use super::{ControlledAxis, sequence};
 use crate::syntax::tree::{ControllerStatement, Name, Span, Spanned, TemplatePiece, Text};
 use mach_runtime::diagnostic::{Code, Diagnostic};
 use mach_runtime::nc::dialect::Value;
@@ -41,7 +41,7 @@ pub(super) struct Address<'a> {
 }
 
 /// Checks every address that is said, and that those of the machine's words and of the sequence numbers differ.
-pub(super) fn check(lowering: &mut Lowering<'_>, axes: &[Axis<'_>]) {
+pub(super) fn check(lowering: &mut Lowering<'_>, axes: &[ControlledAxis<'_>]) {
     for (index, statement) in lowering.statements() {
         match statement {
             ControllerStatement::Word { names, address: None, .. } => {
@@ -96,7 +96,7 @@ fn report_the_controls(lowering: &mut Lowering<'_>, index: usize, address: &str,
 }
 
 /// The addresses of the sequence numbers, the feed and the machine's axes, without those that are wrong by themselves.
-pub(super) fn in_programs<'a>(lowering: &Lowering<'a>, axes: &[Axis<'a>]) -> Vec<Address<'a>> {
+pub(super) fn in_programs<'a>(lowering: &Lowering<'a>, axes: &[ControlledAxis<'a>]) -> Vec<Address<'a>> {
     let sequence = sequence::address(lowering).map(|(index, text)| Address {
         whose: "the sequence numbers",
         text: &text.value,

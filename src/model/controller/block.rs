@@ -2,7 +2,7 @@
 
 use super::lowering::Lowering;
 use super::scene::Scene;
-use super::{Axis, LACKING, motion, table, template};
+use super::{ControlledAxis, LACKING, motion, table, template};
 use crate::syntax::tree::{Body, ControllerStatement, LineTemplate, TemplatePiece};
 use mach_runtime::diagnostic::Diagnostic;
 use mach_runtime::dialect::meaning::Meaning;
@@ -11,7 +11,7 @@ use mach_runtime::nc::dialect::{Block, Trigger};
 /// The blocks, in the order of their triggers.
 pub(super) fn blocks(
     lowering: &mut Lowering<'_>,
-    axes: &[Axis<'_>],
+    axes: &[ControlledAxis<'_>],
     modal_groups: &[Vec<String>],
     comment: &(String, String),
 ) -> Vec<Block> {

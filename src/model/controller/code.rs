@@ -1,6 +1,6 @@
 //! The texts of codes: nothing in them is a word or a code that the program's blocks print themselves.
 
-use super::Axis;
+use super::ControlledAxis;
 use super::address::{self, Address};
 use super::lowering::Lowering;
 use crate::syntax::tree::{ControllerStatement, Span, Spanned, TemplatePiece};
@@ -31,7 +31,7 @@ struct Said<'a> {
 }
 
 /// Reports the texts that hold more than codes of their own.
-pub(super) fn check(lowering: &mut Lowering<'_>, axes: &[Axis<'_>], modal_groups: &[Vec<String>]) {
+pub(super) fn check(lowering: &mut Lowering<'_>, axes: &[ControlledAxis<'_>], modal_groups: &[Vec<String>]) {
     let addresses = address::in_programs(lowering, axes);
     let texts = lowering.statements().flat_map(|(index, statement)| texts(index, statement));
     for Said { index, text, span, is_motion } in texts {

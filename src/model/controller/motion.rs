@@ -1,6 +1,6 @@
 //! The block of a motion is complete: every axis once, a cut in one line, and the feed in time.
 
-use super::Axis;
+use super::ControlledAxis;
 use super::lowering::Lowering;
 use crate::syntax::tree::Span;
 use mach_runtime::diagnostic::Code;
@@ -37,7 +37,13 @@ pub(super) fn is_left_out(line: &Line) -> bool {
 }
 
 /// Reports what is wrong with a block, if it is a motion's.
-pub(super) fn check(lowering: &mut Lowering<'_>, index: usize, block: &Block, machine: &[Axis<'_>], span: &Span) {
+pub(super) fn check(
+    lowering: &mut Lowering<'_>,
+    index: usize,
+    block: &Block,
+    machine: &[ControlledAxis<'_>],
+    span: &Span,
+) {
     if !block.trigger.is_motion() {
         return;
     }
@@ -52,7 +58,7 @@ pub(super) fn check(lowering: &mut Lowering<'_>, index: usize, block: &Block, ma
 type Mistake = (String, &'static str);
 
 /// Axes that are printed not exactly once.
-fn wrong_axes(block: &Block, machine: &[Axis<'_>]) -> Option<Mistake> {
+fn wrong_axes(block: &Block, machine: &[ControlledAxis<'_>]) -> Option<Mistake> {
     let count = |axis: usize| block.lines.iter().flat_map(axes).filter(|printed| *printed == axis).count();
     let named = |wrong: fn(usize) -> bool| -> Vec<&str> {
         (0..machine.len()).filter(|axis| wrong(count(*axis))).map(|axis| machine[axis].name).collect()

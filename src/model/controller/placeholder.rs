@@ -1,6 +1,6 @@
 //! Placeholders: what `{tool}` and the others stand for, and in which blocks.
 
-use super::Axis;
+use super::ControlledAxis;
 use mach_runtime::diagnostic::Code;
 use mach_runtime::machine::Motion;
 use mach_runtime::nc::dialect::{Piece, Trigger, Value};
@@ -114,8 +114,8 @@ impl<'t> Meaning<'t> {
     }
 
     /// The piece without a picture, for a machine with these axes.
-    pub(super) fn piece(self, axes: &[Axis<'_>]) -> Piece {
-        let those = |wanted: &dyn Fn(&Axis<'_>) -> bool| {
+    pub(super) fn piece(self, axes: &[ControlledAxis<'_>]) -> Piece {
+        let those = |wanted: &dyn Fn(&ControlledAxis<'_>) -> bool| {
             Piece::Axes((0..axes.len()).filter(|index| wanted(&axes[*index])).collect())
         };
         match self {

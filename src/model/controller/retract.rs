@@ -1,6 +1,6 @@
 //! What `{retract}` prints, where the controller says it.
 
-use super::Axis;
+use super::ControlledAxis;
 use super::lowering::Lowering;
 use super::word::Said;
 use crate::syntax::tree::ControllerStatement;
@@ -24,7 +24,7 @@ The number is as the control counts the axis, not from the program zero.
 };
 
 /// The text of the way out, if it is said; reported if it is none.
-pub(super) fn retract(lowering: &mut Lowering<'_>, axes: &[Axis<'_>]) -> Option<String> {
+pub(super) fn retract(lowering: &mut Lowering<'_>, axes: &[ControlledAxis<'_>]) -> Option<String> {
     let (index, said) = lowering.last(|statement| match statement {
         ControllerStatement::Retract(text) => Some(text),
         _ => None,

@@ -1,6 +1,6 @@
 //! Where a line of a block stands.
 
-use super::Axis;
+use super::ControlledAxis;
 use mach_runtime::nc::dialect::Trigger;
 
 /// What a line stands in.
@@ -8,7 +8,7 @@ pub(super) struct Scene<'a> {
     /// The statement's index.
     pub(super) index: usize,
     pub(super) trigger: Trigger,
-    pub(super) axes: &'a [Axis<'a>],
+    pub(super) axes: &'a [ControlledAxis<'a>],
     pub(super) modal_groups: &'a [Vec<String>],
     pub(super) comment: &'a (String, String),
 }

@@ -1,6 +1,6 @@
 //! The table of a dialect: what its texts mean, for reading.
 
-use super::Axis;
+use super::ControlledAxis;
 use super::lowering::Lowering;
 use super::pattern;
 use super::word::{self, Formats};
@@ -44,7 +44,7 @@ Each text means one thing, so that a program can be read. Only what switches off
 pub(super) fn table(
     lowering: &mut Lowering<'_>,
     formats: &Formats<'_>,
-    axes: &[Axis<'_>],
+    axes: &[ControlledAxis<'_>],
     axis_words: &[Word],
     comment: &(String, String),
     sequence: Option<&Sequence>,

@@ -2,7 +2,7 @@
 
 use super::lowering::{Lowering, inside};
 use super::picture::{self, BAD_PICTURE, PictureError};
-use super::{Axis, LACKING};
+use super::{ControlledAxis, LACKING};
 use crate::syntax::spelling::nearest;
 use crate::syntax::tree::{ControllerStatement, Name, Span, Text};
 use mach_runtime::diagnostic::{Code, Diagnostic, Suggestion};
@@ -101,7 +101,7 @@ fn parsed<T>(
 }
 
 /// The words of the machine's axes. Words of axes that the machine does not have are only checked.
-pub(super) fn axes(lowering: &mut Lowering<'_>, formats: &Formats<'_>, axes: &[Axis<'_>]) -> Vec<Word> {
+pub(super) fn axes(lowering: &mut Lowering<'_>, formats: &Formats<'_>, axes: &[ControlledAxis<'_>]) -> Vec<Word> {
     check_formats(lowering, formats);
     axes.iter().filter_map(|axis| required(lowering, formats, axis.name, axis.name)).collect()
 }

@@ -1,7 +1,7 @@
 //! The statements of a controller.
 
 use super::expression::expression;
-use super::layout::{Line, Table};
+use super::layout::{StatementText, Table};
 use super::machine::clause;
 use super::{Printer, escaped, quoted};
 use crate::syntax::tree::{
@@ -28,10 +28,10 @@ impl Printer {
         let members = body.statements.iter().map(|it| member(&it.node).join(" "));
         let line = format!("{head} {{ {} }}", members.collect::<Vec<_>>().join("  "));
         if !has_comments && line.len() <= LONGEST_GROUP {
-            return self.line(Line::plain(line), behind);
+            return self.line(StatementText::plain(line), behind);
         }
         self.block(head, body, behind, |printer, member, behind| {
-            printer.line(Line::row(Table::Members, self::member(member)), behind);
+            printer.line(StatementText::row(Table::Members, self::member(member)), behind);
         });
     }
 }
@@ -40,7 +40,7 @@ impl Printer {
 const LONGEST_GROUP: usize = 100;
 
 /// A statement without a block.
-fn line(statement: &ControllerStatement) -> Line {
+fn line(statement: &ControllerStatement) -> StatementText {
     match statement {
         ControllerStatement::Format { name, picture, inch, zero } => {
             let cells = vec![
@@ -49,14 +49,14 @@ fn line(statement: &ControllerStatement) -> Line {
                 text_clause("inch", inch.as_ref()),
                 text_clause("zero", zero.as_ref()),
             ];
-            Line::row(Table::Formats, cells)
+            StatementText::row(Table::Formats, cells)
         }
         ControllerStatement::Word { names, format, address } => {
             let cells =
                 vec![format!("word {}", joined(names)), format.value.clone(), text_clause("as", address.as_ref())];
-            Line::row(Table::Words, cells)
+            StatementText::row(Table::Words, cells)
         }
-        statement => Line::plain(plain(statement)),
+        statement => StatementText::plain(plain(statement)),
     }
 }
 

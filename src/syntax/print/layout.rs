@@ -31,12 +31,12 @@ pub(super) enum Table {
 }
 
 /// The text of a statement, in cells if it belongs to a table.
-pub(super) struct Line {
+pub(super) struct StatementText {
     table: Option<Table>,
     cells: Vec<String>,
 }
 
-impl Line {
+impl StatementText {
     /// A line that stands for itself.
     pub(super) fn plain(text: impl Into<String>) -> Self {
         Self { table: None, cells: vec![text.into()] }
@@ -74,7 +74,7 @@ impl Line {
 struct Placed {
     blank_before: bool,
     depth: usize,
-    line: Line,
+    line: StatementText,
     behind: Option<String>,
 }
 
@@ -93,11 +93,11 @@ impl Page {
 
     /// A comment on a line of its own.
     pub(super) fn comment(&mut self, depth: usize, text: &str) {
-        self.push(depth, Line::plain(comment(text)), None);
+        self.push(depth, StatementText::plain(comment(text)), None);
     }
 
     /// The next line, with the comment behind it.
-    pub(super) fn push(&mut self, depth: usize, line: Line, behind: Option<&str>) {
+    pub(super) fn push(&mut self, depth: usize, line: StatementText, behind: Option<&str>) {
         let blank_before = std::mem::take(&mut self.blank);
         self.lines.push(Placed { blank_before, depth, line, behind: behind.map(comment) });
     }

@@ -2,7 +2,7 @@
 
 use super::Printer;
 use super::expression::expression;
-use super::layout::{Line, Table};
+use super::layout::{StatementText, Table};
 use crate::syntax::tree::{
     AxisClause, BranchStatement, DhRow, ErrorRow, Expression, Link, MachineStatement, Preference, Spanned, Strictness,
     ToleranceKind,
@@ -31,16 +31,16 @@ impl Printer {
 }
 
 /// A statement without a block.
-fn line(statement: &MachineStatement) -> Line {
+fn line(statement: &MachineStatement) -> StatementText {
     let text = match statement {
         MachineStatement::Let { name, value } => {
             let cells = vec![format!("let {}", name.value), format!("= {}", expression(value))];
-            return Line::row(Table::Parameters, cells);
+            return StatementText::row(Table::Parameters, cells);
         }
         MachineStatement::Linear { name, along, clauses } => {
             let along = along.as_ref().map_or(String::new(), |along| format!("along {}", expression(along)));
             let cells = vec![format!("linear {}", name.value), along];
-            return Line::row(Table::LinearAxes, [cells, axis_clauses(clauses)].concat());
+            return StatementText::row(Table::LinearAxes, [cells, axis_clauses(clauses)].concat());
         }
         MachineStatement::Rotary { name, about, through, clauses } => {
             let cells = vec![
@@ -48,10 +48,10 @@ fn line(statement: &MachineStatement) -> Line {
                 about.as_ref().map_or(String::new(), |about| format!("about {}", expression(about))),
                 through.as_ref().map_or(String::new(), |point| format!("through {}", expression(point))),
             ];
-            return Line::row(Table::RotaryAxes, [cells, axis_clauses(clauses)].concat());
+            return StatementText::row(Table::RotaryAxes, [cells, axis_clauses(clauses)].concat());
         }
         MachineStatement::Error { name, value } => {
-            return Line::row(Table::Errors, vec![format!("error {}", name.value), expression(value)]);
+            return StatementText::row(Table::Errors, vec![format!("error {}", name.value), expression(value)]);
         }
         MachineStatement::Chain(links) => format!("chain {}", links.iter().map(link).collect::<Vec<_>>().join(" ")),
         MachineStatement::Tool { along, at, length } => {
@@ -77,7 +77,7 @@ fn line(statement: &MachineStatement) -> Line {
         | MachineStatement::Dh(_)
         | MachineStatement::ErrorTable { .. } => unreachable!("printed as a block"),
     };
-    Line::plain(text)
+    StatementText::plain(text)
 }
 
 /// ` KEYWORD EXPRESSION`, where it is said.
@@ -120,25 +120,25 @@ fn word(strictness: &Spanned<Strictness>) -> &'static str {
 }
 
 /// The parameters in columns, each with the comma behind it.
-fn dh_row(row: &DhRow) -> Line {
-    let DhRow::Link { axis, parameters } = row else { return Line::row(Table::Links, vec!["bed".to_owned()]) };
+fn dh_row(row: &DhRow) -> StatementText {
+    let DhRow::Link { axis, parameters } = row else { return StatementText::row(Table::Links, vec!["bed".to_owned()]) };
     let axis = axis.as_ref().map_or(String::new(), |axis| format!("{}{}:", axis.name.value, prime(axis.primed)));
     let last = parameters.len() - 1;
     let parameters = parameters.iter().enumerate();
     let cells = parameters.map(|(i, parameter)| expression(parameter) + if i == last { "" } else { "," });
-    Line::row(Table::Links, ["link".to_owned(), axis].into_iter().chain(cells).collect())
+    StatementText::row(Table::Links, ["link".to_owned(), axis].into_iter().chain(cells).collect())
 }
 
-fn error_row(row: &ErrorRow) -> Line {
-    Line::row(Table::ErrorRows, vec![format!("at {}:", expression(&row.position)), expression(&row.error)])
+fn error_row(row: &ErrorRow) -> StatementText {
+    StatementText::row(Table::ErrorRows, vec![format!("at {}:", expression(&row.position)), expression(&row.error)])
 }
 
 fn prime(primed: bool) -> &'static str {
     if primed { "'" } else { "" }
 }
 
-fn branch(statement: &BranchStatement) -> Line {
-    let row = |keyword: &str, rest: String| Line::row(Table::Branch, vec![keyword.to_owned(), rest]);
+fn branch(statement: &BranchStatement) -> StatementText {
+    let row = |keyword: &str, rest: String| StatementText::row(Table::Branch, vec![keyword.to_owned(), rest]);
     let listed =
         |preferences: &[Spanned<Preference>]| preferences.iter().map(preference).collect::<Vec<_>>().join(", ");
     match statement {
@@ -147,7 +147,7 @@ fn branch(statement: &BranchStatement) -> Line {
         BranchStatement::Lock { axis, value } => row("lock", format!("{} {}", axis.value, expression(value))),
         BranchStatement::Prefer { axis, value } => row("prefer", format!("{} {}", axis.value, expression(value))),
         BranchStatement::Free(axis) => row("free", axis.value.clone()),
-        BranchStatement::Reposition(strictness) => Line::plain(format!("reposition {}", word(strictness))),
+        BranchStatement::Reposition(strictness) => StatementText::plain(format!("reposition {}", word(strictness))),
     }
 }
 

@@ -5,7 +5,7 @@ mod judge;
 mod run;
 mod sample;
 
-use super::Axis as Named;
+use super::ControlledAxis;
 use super::lowering::Lowering;
 use crate::syntax::tree::{ControllerStatement, Span};
 use mach_runtime::control::Control;
@@ -52,7 +52,7 @@ at an operation and at a tool change.",
 };
 
 /// Reports each block that cannot be read, or does something else than its event.
-pub(super) fn check(lowering: &mut Lowering<'_>, dialect: &Dialect, table: &Table, named: &[Named<'_>]) {
+pub(super) fn check(lowering: &mut Lowering<'_>, dialect: &Dialect, table: &Table, named: &[ControlledAxis<'_>]) {
     let axes = sample::axes(named);
     for block in &dialect.blocks {
         let Some((code, message)) = mistake(dialect, table, &axes, block) else { continue };

@@ -1,6 +1,6 @@
 //! The text of a block with sample values.
 
-use super::super::Axis as Named;
+use super::super::ControlledAxis;
 use mach_runtime::cl::event::{Approach, Feed};
 use mach_runtime::machine::{Axis, Motion, Rule, Travel, Written};
 use mach_runtime::nc::dialect::{Block, Dialect, Trigger};
@@ -18,9 +18,9 @@ pub(super) const ROUNDED: f64 = 0.01;
 pub(super) const START: f64 = 2.0;
 
 /// The axes of the trial: each can be told from where it was, and the last linear one is the way out.
-pub(super) fn axes(named: &[Named<'_>]) -> Vec<Axis> {
+pub(super) fn axes(named: &[ControlledAxis<'_>]) -> Vec<Axis> {
     let last = named.iter().rposition(|axis| axis.motion == Motion::Linear);
-    let axis = |(index, axis): (usize, &Named<'_>)| Axis {
+    let axis = |(index, axis): (usize, &ControlledAxis<'_>)| Axis {
         name: axis.name.to_owned(),
         motion: axis.motion,
         travel: Travel { lower: -5.0, upper: 5.0 },

@@ -5,7 +5,7 @@ use super::numbering::Numbering;
 
 /// The line being printed, behind the number that it may take.
 #[derive(Debug)]
-pub(super) struct Line {
+pub(super) struct LineBuffer {
     /// The number and its blank, the line, and any bytes behind it.
     bytes: Vec<u8>,
     /// Where the line begins.
@@ -18,7 +18,7 @@ pub(super) struct Line {
 /// So many bytes are added when there is no room in a line.
 const MORE: usize = 256;
 
-impl Line {
+impl LineBuffer {
     /// An empty line behind the first number.
     pub(super) fn new(sequence: Option<Sequence>) -> Self {
         let mut line = Self { bytes: Vec::new(), body: 0, end: 0, numbering: sequence.map(Numbering::new) };
