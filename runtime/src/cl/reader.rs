@@ -1,6 +1,7 @@
 //! The reader: records in, points and commands out, one after the other.
 
 use std::io::{self, Read};
+use std::mem;
 
 use crate::cl::arc::ArcPoints;
 use crate::cl::event::{Command, Point};
@@ -31,6 +32,16 @@ pub(super) static NO_MOTION: Code = Code {
     title: "the file has no motion",
     explanation: "\
 There is no GOTO in the file: it is empty, or it is not the CL file that was meant.
+",
+};
+
+/// Motion where none can be.
+pub(super) static BEHIND_FINI: Code = Code {
+    id: "E1007",
+    title: "motion behind the end of the program",
+    explanation: "\
+FINI ends the program, and the file goes on with motion. Two files may have been joined, or FINI stands where it should not.
+Nobody can say whether the motion behind it is meant: take it out, or FINI.
 ",
 };
 
@@ -92,6 +103,8 @@ pub struct Reader<R> {
     /// Where the operation that is under way began.
     operation: Option<Place>,
     any_motion: bool,
+    /// Where FINI stands, until motion behind it has been told.
+    fini: Option<Place>,
     told: Told,
     /// Diagnostics for the end of the file, last one first; there once the end is reached.
     last_words: Option<Vec<Diagnostic>>,
@@ -110,6 +123,7 @@ impl<R: Read> Reader<R> {
             arc: None,
             operation: None,
             any_motion: false,
+            fini: None,
             told: Told::default(),
             last_words: None,
         }
@@ -169,7 +183,7 @@ impl<R: Read> Reader<R> {
 
     /// The bulk of every file: lines that hold a GOTO and nothing else, taken without a copy.
     fn plain_gotos(&mut self, points: &mut Vec<Point>, full: usize) -> io::Result<()> {
-        if self.motion.has_circle() {
+        if self.motion.has_circle() || self.fini.is_some() {
             return Ok(());
         }
         while points.len() < full {
@@ -185,6 +199,9 @@ impl<R: Read> Reader<R> {
     /// Does what the record says. An error may be a warning: then the record has been carried out all the same.
     fn carry_out(&mut self, points: &mut Vec<Point>) -> Result<Option<Next>, Diagnostic> {
         let meaning = meaning(&self.record, self.options.unknown_records)?;
+        if meaning.is_motion() {
+            self.fini.take().map_or(Ok(()), |fini| Err(behind_fini(&self.record, fini)))?;
+        }
         if self.motion.has_circle() && !matches!(meaning, Meaning::Goto | Meaning::Skipped) {
             self.motion.take_circle().map_or(Ok(()), Err)?;
         }
@@ -222,6 +239,10 @@ impl<R: Read> Reader<R> {
             Meaning::Operation => self.begin_operation(),
             Meaning::EndOfPath => {
                 self.operation = None;
+                Ok(())
+            }
+            Meaning::Fini => {
+                self.fini = Some(self.record.place());
                 Ok(())
             }
             Meaning::Insert => {
@@ -270,10 +291,14 @@ impl<R: Read> Reader<R> {
 
     fn units(&mut self) -> Result<(), Diagnostic> {
         let unit = setting::units(&self.record)?;
-        self.motion.unit_mm = unit.mm();
+        let changes = mem::replace(&mut self.motion.unit_mm, unit.mm()) != unit.mm();
         self.feed_unit = FeedUnit::per_minute(unit);
         self.has_units = true;
-        Ok(())
+        if !(changes && self.any_motion) {
+            return Ok(());
+        }
+        let warning = Diagnostic::warning(&setting::OTHER_UNITS, "the unit of lengths changes behind the first motion");
+        Err(warning.at(self.record.place_of_all(), "lengths from here on"))
     }
 
     /// What is to be said at the end of the file, last one first.
@@ -293,4 +318,9 @@ impl<R: Read> Reader<R> {
         found.reverse();
         found
     }
+}
+
+fn behind_fini(record: &Record, fini: Place) -> Diagnostic {
+    let error = Diagnostic::error(&BEHIND_FINI, format!("{} stands behind FINI", record.word()));
+    error.at(record.place(), "motion").at(fini, "the program ends here")
 }

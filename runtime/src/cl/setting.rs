@@ -37,6 +37,16 @@ NX does not say its unit: if the part is in inches, give the option
 ",
 };
 
+/// A unit of lengths that comes late.
+pub(super) static OTHER_UNITS: Code = Code {
+    id: "W1004",
+    title: "the unit of lengths changes behind the first motion",
+    explanation: "\
+A UNITS record gives another unit than the motion before it was read in. What follows is read in the new unit, what came
+before is not read again. If all of the file is in one unit, UNITS belongs before the first motion.
+",
+};
+
 /// How a feed is given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum FeedUnit {

@@ -63,12 +63,20 @@ pub(super) enum Meaning {
     OptionalStop,
     Message,
     Insert,
+    Fini,
     /// Without effect on the program: display, headings, tool data.
     Skipped,
     /// Without effect when it has no arguments but these; else not supported.
     SkippedWith(&'static [&'static str], &'static str),
     /// Known, with an effect (the text says what it is), and not supported.
     NotSupported(&'static str),
+}
+
+impl Meaning {
+    /// Whether the tool goes somewhere by it, or is somewhere.
+    pub(super) fn is_motion(self) -> bool {
+        matches!(self, Self::From | Self::Goto | Self::Godlta | Self::Gohome | Self::Circle)
+    }
 }
 
 use Meaning::{NotSupported, Skipped, SkippedWith};
@@ -105,7 +113,7 @@ static RECORDS: &[(&str, Meaning)] = &[
     ("END", Skipped),
     ("END-OF-PATH", Meaning::EndOfPath),
     ("FEDRAT", Meaning::Feed),
-    ("FINI", Skipped),
+    ("FINI", Meaning::Fini),
     ("FROM", Meaning::From),
     ("GO", DRIVE),
     ("GOBACK", DRIVE),

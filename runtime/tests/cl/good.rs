@@ -96,10 +96,11 @@ fn home_is_where_from_was() {
 
 #[test]
 fn feeds_in_every_unit() {
-    let read = clean(
+    let read = read(
         "UNITS/INCHES\nFEDRAT/IPM,10\nGOTO/1,0,0\nFEDRAT/ .01 , IPR\nGOTO/2,0,0\nFEDRAT/.02\nGOTO/3,0,0\nUNIT/MM\n\
          FEDRAT/MMPR,.5\nGOTO/4,0,0\nFEDRAT/500,MMPM\nGOTO/5,0,0\n",
     );
+    assert_eq!(read.codes(), ["W1004"], "the second UNITS");
     let feeds: Vec<Approach> = read.points.iter().map(|point| point.approach).collect();
     let expected = [
         Feed::PerMinute(254.0),
