@@ -1,14 +1,15 @@
 //! CL data: NX CLSF text in, a toolpath of events out, as a stream.
 //!
 //! [`Reader`] takes the text apart: bytes to lines (`source`), lines to records (`record`, `argument`), records to motion
-//! (`motion`, `circle`) and settings (`setting`). What each record means stands in one list (`words`). Lines that hold a
-//! GOTO and nothing else, the bulk of every file, take a shortcut (`plain`).
+//! (`motion`, `circle`) and settings (`setting`). What each record means stands in one list (`words`); those that ask in vain
+//! are told (`not_used`). Lines that hold a GOTO and nothing else, the bulk of every file, take a shortcut (`plain`).
 
 mod arc;
 mod argument;
 mod circle;
 pub mod event;
 mod motion;
+mod not_used;
 mod number;
 mod once;
 mod plain;
@@ -53,4 +54,5 @@ pub static CODES: &[&Code] = &[
     &once::INSERTED,
     &told::MANY_WARNINGS,
     &words::UNKNOWN_RECORD_LEFT_OUT,
+    &not_used::NOT_USED,
 ];

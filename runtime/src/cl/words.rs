@@ -1,6 +1,7 @@
 //! The records the reader knows, and what each of them means to it.
 
 use crate::cl::argument::shortened;
+use crate::cl::not_used;
 use crate::cl::record::Record;
 use crate::diagnostic::{Code, Diagnostic, Severity, Suggestion};
 use crate::machine::Strictness;
@@ -218,8 +219,13 @@ pub(super) fn meaning(record: &Record, unknown: Strictness) -> Result<Meaning, D
             Err(unknown_record(record, &word, unknown))
         };
     };
+    let is_skipped = match RECORDS[index].1 {
+        Skipped => true,
+        SkippedWith(words, _) => (0..record.len()).all(|index| words.contains(&record.argument(index))),
+        _ => false,
+    };
     match RECORDS[index].1 {
-        SkippedWith(words, _) if (0..record.len()).all(|index| words.contains(&record.argument(index))) => Ok(Skipped),
+        _ if is_skipped => not_used::warning(record, &word).map_or(Ok(Skipped), Err),
         SkippedWith(_, what) | NotSupported(what) => Err(not_supported(record, &word, what)),
         meaning => Ok(meaning),
     }

@@ -64,11 +64,22 @@ fn each_mistake_is_told_at_its_place() {
         ("GOTO/1,2, $", ("E1003", 3, 11)),
         ("GOTO/1,2,3,0,0,2", ("W1002", 3, 12)),
         ("INSERT G05 P1", ("W1005", 3, 1)),
+        ("LINTOL/0.01\nLINTOL/0.02", ("W1011", 3, 8)),
+        ("MULTAX/OFF", ("W1011", 3, 8)),
+        ("SELECT/TOOL,3", ("W1011", 3, 8)),
+        ("MODE/MILL", ("W1011", 3, 6)),
+        ("SET/MODE,MILL", ("W1011", 3, 5)),
+        ("MODE/TURN", ("E1011", 3, 1)),
     ] {
         let before = "FEDRAT/9\nGOTO/10.0,0.0,0.0\n";
         assert_eq!(found(format!("{before}{text}\n")), [expected], "{text}");
         assert_eq!(found(format!("{before}{text}")), [expected], "{text} without a line end");
     }
+}
+
+#[test]
+fn a_record_that_asks_for_nothing_is_not_told() {
+    assert_eq!(found("FEDRAT/9\nLINTOL/OFF\nMULTAX/ON\nMULTAX\nSET/MODE,ABSOL\nGOTO/1,2,3\n"), []);
 }
 
 #[test]
