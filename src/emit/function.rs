@@ -3,7 +3,7 @@
 use super::listing::{Argument, Function, Input, Output, Remark};
 use crate::compile::Compiled;
 use crate::model::machine::ModelAxis;
-use crate::plan::{AXIS_INPUT, Id, JOINT_INPUT, TIP_INPUT, TOOL_LENGTH_INPUT};
+use crate::plan::{AXIS_INPUT, Id, InverseOutput, JOINT_INPUT, TIP_INPUT, TOOL_LENGTH_INPUT};
 use mach_runtime::error_table::ErrorTable;
 use mach_runtime::kinematics::Pole;
 use mach_runtime::machine::Motion;
@@ -23,35 +23,41 @@ pub fn given_and_solved(compiled: &Compiled) -> (Vec<usize>, Vec<usize>) {
 /// From tip, tool axis, tool length and surplus joints to every solution: the joints of each in the order of the model,
 /// then the reach, the distance to the pole and the gap.
 pub fn inverse(compiled: &Compiled) -> Function {
-    let branches = &compiled.plan.branches;
-    let mut outputs = Vec::new();
-    for (branch, solution) in branches.iter().enumerate() {
-        let suffix = if branches.len() > 1 { (branch + 1).to_string() } else { String::new() };
-        outputs.extend(solution.joints.iter().enumerate().map(|(axis, &id)| joint(compiled, axis, &suffix, id)));
-    }
-    outputs.push(scalar("reach", compiled.plan.reach, "Zero within reach, else minus the angle to it.".to_owned()));
-    outputs.push(pole(compiled));
-    let gap = "Zero where the linear axes reach the tip, else how far it is from there.";
-    outputs.push(scalar("gap", compiled.plan.gap, gap.to_owned()));
+    let all = compiled.plan.inverse_outputs();
     // The angles of a solution come before what follows from them.
-    let axes = compiled.model.axes.len();
-    let key = |&output: &usize| {
-        let is_linear = compiled.model.axes[output % axes].motion == Motion::Linear;
-        (output / axes, output < branches.len() * axes && is_linear)
+    let key = |&place: &usize| match all[place].0 {
+        InverseOutput::Joint { branch, axis } => (branch, compiled.model.axes[axis].motion == Motion::Linear),
+        _ => (compiled.plan.branches.len(), false),
     };
-    let mut order: Vec<usize> = (0..outputs.len()).collect();
+    let mut order: Vec<usize> = (0..all.len()).collect();
     order.sort_by_key(key);
+    let outputs = all.iter().map(|&(output, id)| solution_part(compiled, output, id)).collect();
     let surplus: Vec<Input> = compiled.plan.surplus.iter().map(|&axis| joint_input(compiled, axis)).collect();
     let mut arguments = vec![tip(), tool_axis(), tool_length()];
     arguments.extend((!surplus.is_empty()).then_some(Argument::Array("surplus", surplus)));
     Function { arguments, outputs, order }
 }
 
+fn solution_part(compiled: &Compiled, output: InverseOutput, id: Id) -> Output {
+    match output {
+        InverseOutput::Joint { branch, axis } => {
+            let is_one_of_several = compiled.plan.branches.len() > 1;
+            let suffix = if is_one_of_several { (branch + 1).to_string() } else { String::new() };
+            joint(compiled, axis, &suffix, id)
+        }
+        InverseOutput::Reach => scalar("reach", id, "Zero within reach, else minus the angle to it.".to_owned()),
+        InverseOutput::PoleDistance => pole(compiled, id),
+        InverseOutput::Gap => {
+            scalar("gap", id, "Zero where the linear axes reach the tip, else how far it is from there.".to_owned())
+        }
+    }
+}
+
 fn scalar(name: &str, id: Id, meaning: String) -> Output {
     Output { id, name: name.to_owned(), symbol: None, remark: Remark::Meaning(meaning) }
 }
 
-fn pole(compiled: &Compiled) -> Output {
+fn pole(compiled: &Compiled, id: Id) -> Output {
     let name = |axis: usize| &compiled.model.axes[axis].name;
     let (distance, meaning) = match compiled.plan.pole {
         Some(Pole::Position { axis }) => {
@@ -64,7 +70,7 @@ fn pole(compiled: &Compiled) -> Output {
         }
         None => ("pole", "No axis is ever free.".to_owned()),
     };
-    scalar(distance, compiled.plan.pole_distance, meaning)
+    scalar(distance, id, meaning)
 }
 
 /// From tip, tool length and the given joints to the others.

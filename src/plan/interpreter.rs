@@ -1,9 +1,7 @@
 //! The plan as kinematics: its programs run over blocks of lanes. Joints are in millimetres and degrees outside.
 
-use super::{AXIS_INPUT, Id, JOINT_INPUT, Plan, Program, TIP_INPUT, TOOL_LENGTH_INPUT};
-use mach_runtime::kinematics::{
-    JointBlock, Kinematics, LANES, Lane, Margins, Miss, Pole, PoseBlock, SolutionBlock, held,
-};
+use super::{AXIS_INPUT, Id, InverseOutput, JOINT_INPUT, Plan, Program, TIP_INPUT, TOOL_LENGTH_INPUT};
+use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, Miss, Pole, PoseBlock, SolutionBlock, held};
 use mach_runtime::machine::ToolGeometry;
 use mach_runtime::vector::Vec3;
 
@@ -11,6 +9,8 @@ use mach_runtime::vector::Vec3;
 #[derive(Debug, Clone)]
 pub struct Interpreter {
     inverse: Program,
+    /// What its outputs are.
+    outputs: Vec<InverseOutput>,
     position: Program<1>,
     forward: Program,
     /// The forward chain with errors; its inputs go on with these.
@@ -25,11 +25,11 @@ impl Interpreter {
     /// The programs of a plan.
     pub fn new(plan: &Plan) -> Self {
         let inputs = JOINT_INPUT + plan.rotary.len();
-        let mut outputs: Vec<_> = plan.branches.iter().flat_map(|branch| branch.joints.clone()).collect();
-        outputs.extend([plan.reach, plan.pole_distance, plan.gap]);
+        let (outputs, solutions): (Vec<_>, Vec<_>) = plan.inverse_outputs().into_iter().unzip();
         let pose = |(tip, axis): ([Id; 3], [Id; 3])| -> Vec<Id> { tip.into_iter().chain(axis).collect() };
         Self {
-            inverse: Program::new(&plan.graph, inputs, &outputs),
+            inverse: Program::new(&plan.graph, inputs, &solutions),
+            outputs,
             position: Program::new(&plan.graph, inputs, &plan.position),
             forward: Program::new(&plan.graph, inputs, &pose((plan.tip, plan.axis))),
             actual: Program::new(&plan.graph, inputs + plan.errors, &pose(plan.actual)),
@@ -69,18 +69,20 @@ impl Kinematics for Interpreter {
             *self.inverse.input(JOINT_INPUT + axis) = inside(lane, self.rotary[axis]);
         }
         self.inverse.run();
-        let axes = self.rotary.len();
-        for (branch, joints) in out.branches.iter_mut().enumerate() {
-            for (axis, lane) in joints.iter_mut().enumerate() {
-                *lane = outside(self.inverse.output(branch * axes + axis), self.rotary[axis]);
+        let (branches, margins) = out.parts_mut();
+        for (place, output) in self.outputs.iter().enumerate() {
+            let lane = self.inverse.output(place);
+            match *output {
+                InverseOutput::Joint { branch, axis } => branches[branch][axis] = outside(lane, self.rotary[axis]),
+                InverseOutput::Reach => margins.reach_rad = *lane,
+                InverseOutput::PoleDistance => margins.pole = *lane,
+                InverseOutput::Gap => margins.gap_mm = *lane,
             }
         }
-        for joints in &mut out.branches {
+        for joints in branches {
             // As they were given: radians and back would round.
             self.surplus.iter().zip(surplus).for_each(|(&axis, lane)| joints[axis] = *lane);
         }
-        let margin = |place: usize| *self.inverse.output(self.branches * axes + place);
-        *out.parts_mut().1 = Margins { reach_rad: margin(0), pole: margin(1), gap_mm: margin(2) };
     }
 
     fn position(&mut self, tip_mm: Vec3, tool: ToolGeometry, joints: &mut [f64]) -> Result<(), Miss> {

@@ -7,6 +7,7 @@ mod derivative;
 mod graph;
 mod interpreter;
 mod jacobian;
+mod outputs;
 mod program;
 mod simplify;
 mod trigonometry;
@@ -14,6 +15,7 @@ mod trigonometry;
 pub use graph::{Graph, Id, Op};
 pub use interpreter::Interpreter;
 pub use jacobian::{Jacobian, Pose};
+pub use outputs::InverseOutput;
 pub use program::Program;
 pub use trigonometry::{cos_constant, sin_constant, snap};
 

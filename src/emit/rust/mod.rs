@@ -7,8 +7,8 @@ mod literal;
 use super::function::{forward, forward_actual, given_and_solved, inverse, position};
 use super::listing::Function;
 use crate::compile::Compiled;
-use crate::model::machine::ModelAxis;
 use crate::model::tables;
+use crate::plan::InverseOutput;
 use code::Code;
 use layout::laid_out;
 use literal::Literal;
@@ -168,9 +168,16 @@ fn called(functions: &[(&str, &str)], code: &str) -> String {
 fn inverse_code(compiled: &Compiled) -> String {
     let Code { arguments, body, outputs } = Code::of(&compiled.plan.graph, &inverse(compiled));
     let (count, branches) = (compiled.model.axes.len(), compiled.plan.branches.len());
-    let solutions: Vec<String> =
-        outputs[..count * branches].chunks(count).map(|joints| array(&in_degrees(compiled, joints))).collect();
-    let [reach, pole, gap] = &outputs[count * branches..] else { unreachable!("an inverse has these outputs") };
+    let mut solutions = vec![Vec::new(); branches];
+    let mut margins = String::new();
+    for ((output, _), name) in compiled.plan.inverse_outputs().into_iter().zip(outputs) {
+        match output {
+            InverseOutput::Joint { branch, axis } => solutions[branch].push(in_degrees(compiled, axis, name)),
+            InverseOutput::Reach => margins += &field("reach", &name),
+            InverseOutput::PoleDistance => margins += &field("pole", &name),
+            InverseOutput::Gap => margins += &field("gap", &name),
+        }
+    }
     format!(
         "
 /// Every solution for one pose.
@@ -189,19 +196,16 @@ struct Solutions {{
 #[inline]
 fn inverse({arguments}) -> Solutions {{
 {body}
-    Solutions {{ joints: [{solutions}], {reach}, {pole}, {gap} }}
+    Solutions {{ joints: [{solutions}]{margins} }}
 }}
 ",
-        solutions = solutions.join(", "),
-        reach = field("reach", reach),
-        pole = field("pole", pole),
-        gap = field("gap", gap),
+        solutions = solutions.iter().map(|joints| array(joints)).collect::<Vec<_>>().join(", "),
     )
 }
 
-/// A field of a struct expression.
+/// A field of a struct expression behind others.
 fn field(name: &str, value: &str) -> String {
-    if name == value { name.to_owned() } else { format!("{name}: {value}") }
+    if name == value { format!(", {name}") } else { format!(", {name}: {value}") }
 }
 
 fn position_code(compiled: &Compiled) -> String {
@@ -245,13 +249,12 @@ fn {name}({arguments}) -> (Vec3, Vec3) {{
     )
 }
 
-/// The joints of all axes, the rotary ones converted.
-fn in_degrees(compiled: &Compiled, joints: &[String]) -> Vec<String> {
-    let convert = |(joint, axis): (&String, &ModelAxis)| match axis.motion {
-        Motion::Linear => joint.clone(),
+/// The joint of an axis, converted if it is a rotary one.
+fn in_degrees(compiled: &Compiled, axis: usize, joint: String) -> String {
+    match compiled.model.axes[axis].motion {
+        Motion::Linear => joint,
         Motion::Rotary => format!("{joint}.to_degrees()"),
-    };
-    joints.iter().zip(&compiled.model.axes).map(convert).collect()
+    }
 }
 
 fn array(items: &[String]) -> String {
