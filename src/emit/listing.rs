@@ -148,7 +148,7 @@ struct Lister<'a> {
 impl<'a> Lister<'a> {
     fn new(graph: &'a Graph, function: &'a Function, language: &'a Language) -> Self {
         let outputs: Vec<Id> = function.outputs.iter().map(|output| output.id).collect();
-        let needed = needed(graph, &outputs);
+        let needed = graph.needed(&outputs);
         let named = named(graph, &needed, &outputs);
         let symbols: BTreeMap<usize, &str> =
             function.inputs().map(|input| (input.index, input.symbol.as_str())).collect();
@@ -304,20 +304,10 @@ fn meanings(graph: &Graph, function: &Function) -> BTreeMap<Id, (String, String)
     meanings
 }
 
-/// Every node that the outputs depend on.
-fn needed(graph: &Graph, outputs: &[Id]) -> BTreeSet<Id> {
-    let mut needed: BTreeSet<Id> = outputs.iter().copied().collect();
-    let mut open = outputs.to_vec();
-    while let Some(id) = open.pop() {
-        open.extend(graph.op(id).operands().filter(|&operand| needed.insert(operand)));
-    }
-    needed
-}
-
 /// Whether a function divides by what may be zero.
 pub fn divides(graph: &Graph, function: &Function) -> bool {
     let outputs: Vec<Id> = function.outputs.iter().map(|output| output.id).collect();
-    needed(graph, &outputs).into_iter().any(|id| matches!(graph.op(id), Op::Div(..)))
+    graph.needed(&outputs).into_iter().any(|id| matches!(graph.op(id), Op::Div(..)))
 }
 
 /// Which nodes get a name: outputs, what is used twice, functions that are costly or do not read well inside of an

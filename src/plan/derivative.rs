@@ -65,18 +65,6 @@ impl Graph {
             Op::Select(condition, a, b) => self.select(condition, d(a), d(b)),
         }
     }
-
-    /// What the outputs are computed from, and they, operands before their users.
-    fn needed(&self, outputs: &[Id]) -> Vec<Id> {
-        let mut found = std::collections::BTreeSet::new();
-        let mut open = outputs.to_vec();
-        while let Some(id) = open.pop() {
-            if found.insert(id) {
-                open.extend(self.op(id).operands());
-            }
-        }
-        found.into_iter().collect()
-    }
 }
 
 fn of(known: &[Option<Id>], operand: Id) -> Id {

@@ -1,6 +1,6 @@
 //! Scalar expressions that share what is equal: each node is an operation on earlier nodes.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A node of the graph.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -112,6 +112,16 @@ impl Graph {
             _ => None,
         };
         self.nodes.iter().enumerate().filter_map(input)
+    }
+
+    /// What the outputs are computed from, and they, operands before their users.
+    pub fn needed(&self, outputs: &[Id]) -> BTreeSet<Id> {
+        let mut needed: BTreeSet<Id> = outputs.iter().copied().collect();
+        let mut open = outputs.to_vec();
+        while let Some(id) = open.pop() {
+            open.extend(self.op(id).operands().filter(|&operand| needed.insert(operand)));
+        }
+        needed
     }
 
     /// How many nodes there are.

@@ -2,6 +2,7 @@
 
 use super::graph::{Graph, Id, Op};
 use mach_runtime::kinematics::LANES;
+use std::collections::BTreeSet;
 
 /// Index of a register.
 type Register = usize;
@@ -46,7 +47,8 @@ pub struct Program<const N: usize = LANES> {
 impl<const N: usize> Program<N> {
     /// The program that computes `outputs` from `inputs` inputs.
     pub fn new(graph: &Graph, inputs: usize, outputs: &[Id]) -> Self {
-        Assembler::new(graph, inputs, outputs).assemble()
+        let needed = graph.needed(outputs);
+        Assembler::new(graph, inputs, outputs, &needed).assemble()
     }
 
     /// How many steps it takes.
@@ -149,9 +151,9 @@ struct Assembler<'a, const N: usize> {
     graph: &'a Graph,
     outputs: &'a [Id],
     inputs: usize,
-    needed: Vec<bool>,
-    /// The last node that reads each node; outputs are read at the very end.
-    last_use: Vec<usize>,
+    needed: &'a BTreeSet<Id>,
+    /// The last node that reads each node; outputs are read at the very end, and have none.
+    last_use: Vec<Option<Id>>,
     register: Vec<Option<Register>>,
     free: Vec<Register>,
     registers: Vec<[f64; N]>,
@@ -159,16 +161,15 @@ struct Assembler<'a, const N: usize> {
 }
 
 impl<'a, const N: usize> Assembler<'a, N> {
-    fn new(graph: &'a Graph, inputs: usize, outputs: &'a [Id]) -> Self {
-        let needed = needed(graph, outputs);
-        let mut last_use = vec![0; graph.len()];
-        for (index, _) in needed.iter().enumerate().filter(|(_, needed)| **needed) {
-            for operand in graph.op(id(index)).operands() {
-                last_use[operand.index()] = index;
+    fn new(graph: &'a Graph, inputs: usize, outputs: &'a [Id], needed: &'a BTreeSet<Id>) -> Self {
+        let mut last_use = vec![None; graph.len()];
+        for &node in needed {
+            for operand in graph.op(node).operands() {
+                last_use[operand.index()] = Some(node);
             }
         }
         for output in outputs {
-            last_use[output.index()] = usize::MAX;
+            last_use[output.index()] = None;
         }
         let register = vec![None; graph.len()];
         let registers = vec![[0.0; N]; inputs];
@@ -176,70 +177,65 @@ impl<'a, const N: usize> Assembler<'a, N> {
     }
 
     fn assemble(mut self) -> Program<N> {
-        for index in 0..self.graph.len() {
-            if self.needed[index] {
-                self.load(index);
+        self.needed.iter().for_each(|&node| self.load(node));
+        for &node in self.needed {
+            if self.register[node.index()].is_none() {
+                self.step(node);
             }
-        }
-        for index in 0..self.graph.len() {
-            if self.needed[index] && self.register[index].is_none() {
-                self.step(index);
-            }
-            self.release(index);
+            self.release(node);
         }
         let outputs = self.outputs.iter().map(|&output| self.of(output)).collect();
         Program { inputs: self.inputs, steps: self.steps, outputs, registers: self.registers }
     }
 
     /// Constants and inputs have registers of their own for good.
-    fn load(&mut self, index: usize) {
-        match self.graph.op(id(index)) {
+    fn load(&mut self, node: Id) {
+        match self.graph.op(node) {
             Op::Constant(value) => {
                 self.registers.push([value; N]);
-                self.register[index] = Some(self.registers.len() - 1);
+                self.register[node.index()] = Some(self.registers.len() - 1);
             }
-            Op::Input(input) => self.register[index] = Some(input),
+            Op::Input(input) => self.register[node.index()] = Some(input),
             _ => {}
         }
     }
 
-    fn step(&mut self, index: usize) {
-        let step = match self.graph.op(id(index)) {
+    fn step(&mut self, node: Id) {
+        let step = match self.graph.op(node) {
             Op::Constant(_) | Op::Input(_) => unreachable!("constants and inputs were loaded"),
-            Op::Neg(a) => Step::Unary(Unary::Neg, self.target(index), self.of(a)),
-            Op::Sqrt(a) => Step::Unary(Unary::Sqrt, self.target(index), self.of(a)),
-            Op::Add(a, b) => self.binary(Binary::Add, index, a, b),
-            Op::Sub(a, b) => self.binary(Binary::Sub, index, a, b),
-            Op::Mul(a, b) => self.binary(Binary::Mul, index, a, b),
-            Op::Div(a, b) => self.binary(Binary::Div, index, a, b),
-            Op::Atan2(a, b) => self.binary(Binary::Atan2, index, a, b),
-            Op::Min(a, b) => self.binary(Binary::Min, index, a, b),
-            Op::Max(a, b) => self.binary(Binary::Max, index, a, b),
-            Op::Select(a, b, c) => Step::Select(self.target(index), [self.of(a), self.of(b), self.of(c)]),
+            Op::Neg(a) => Step::Unary(Unary::Neg, self.target(node), self.of(a)),
+            Op::Sqrt(a) => Step::Unary(Unary::Sqrt, self.target(node), self.of(a)),
+            Op::Add(a, b) => self.binary(Binary::Add, node, a, b),
+            Op::Sub(a, b) => self.binary(Binary::Sub, node, a, b),
+            Op::Mul(a, b) => self.binary(Binary::Mul, node, a, b),
+            Op::Div(a, b) => self.binary(Binary::Div, node, a, b),
+            Op::Atan2(a, b) => self.binary(Binary::Atan2, node, a, b),
+            Op::Min(a, b) => self.binary(Binary::Min, node, a, b),
+            Op::Max(a, b) => self.binary(Binary::Max, node, a, b),
+            Op::Select(a, b, c) => Step::Select(self.target(node), [self.of(a), self.of(b), self.of(c)]),
             Op::Sin(angle) | Op::Cos(angle) => self.sine_and_cosine(angle),
         };
         self.steps.push(step);
     }
 
-    fn binary(&mut self, kind: Binary, index: usize, a: Id, b: Id) -> Step {
-        Step::Binary(kind, self.target(index), self.of(a), self.of(b))
+    fn binary(&mut self, kind: Binary, node: Id, a: Id, b: Id) -> Step {
+        Step::Binary(kind, self.target(node), self.of(a), self.of(b))
     }
 
     /// Both at once: whoever needs the one mostly needs the other.
     fn sine_and_cosine(&mut self, angle: Id) -> Step {
-        let of_angle = |op: Op| matches!(op, Op::Sin(a) | Op::Cos(a) if a == angle);
-        let both: Vec<usize> = (0..self.graph.len()).filter(|&index| of_angle(self.graph.op(id(index)))).collect();
-        let targets = [self.fresh(), self.fresh()];
-        for index in both {
-            let which = usize::from(matches!(self.graph.op(id(index)), Op::Cos(_)));
-            self.register[index] = Some(targets[which]);
+        let [sine, cosine] = [self.fresh(), self.fresh()];
+        for (op, register) in [(Op::Sin(angle), sine), (Op::Cos(angle), cosine)] {
+            if let Some(node) = self.graph.find(op) {
+                self.register[node.index()] = Some(register);
+            }
         }
-        Step::SinCos(targets[0], targets[1], self.of(angle))
+        Step::SinCos(sine, cosine, self.of(angle))
     }
 
-    fn target(&mut self, index: usize) -> Register {
+    fn target(&mut self, node: Id) -> Register {
         let register = self.free.pop().unwrap_or_else(|| self.fresh());
-        self.register[index] = Some(register);
+        self.register[node.index()] = Some(register);
         register
     }
 
@@ -253,39 +249,13 @@ impl<'a, const N: usize> Assembler<'a, N> {
     }
 
     /// Frees the registers of the operands that this node was the last to read.
-    fn release(&mut self, index: usize) {
-        if !self.needed[index] {
-            return;
-        }
-        let mut done: Vec<usize> = self.graph.op(id(index)).operands().map(Id::index).collect();
-        done.sort_unstable();
-        done.dedup();
-        for operand in done {
-            let reusable =
-                !matches!(self.graph.op(id(operand)), Op::Constant(_) | Op::Input(_) | Op::Sin(_) | Op::Cos(_));
-            if reusable && self.last_use[operand] == index {
-                self.free.extend(self.register[operand]);
+    fn release(&mut self, node: Id) {
+        let operands: BTreeSet<Id> = self.graph.op(node).operands().collect();
+        for operand in operands {
+            let reusable = !matches!(self.graph.op(operand), Op::Constant(_) | Op::Input(_) | Op::Sin(_) | Op::Cos(_));
+            if reusable && self.last_use[operand.index()] == Some(node) {
+                self.free.extend(self.register[operand.index()]);
             }
         }
     }
-}
-
-fn id(index: usize) -> Id {
-    Id(u32::try_from(index).expect("a plan has far fewer than 2^32 nodes"))
-}
-
-/// Which nodes the outputs depend on.
-fn needed(graph: &Graph, outputs: &[Id]) -> Vec<bool> {
-    let mut needed = vec![false; graph.len()];
-    for output in outputs {
-        needed[output.index()] = true;
-    }
-    for index in (0..graph.len()).rev() {
-        if needed[index] {
-            for operand in graph.op(id(index)).operands() {
-                needed[operand.index()] = true;
-            }
-        }
-    }
-    needed
 }
