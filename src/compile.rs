@@ -38,22 +38,23 @@ pub struct Compiled {
 ///
 /// Every mistake that was found, in the order of the text (and the warnings with them).
 pub fn compile(entry: &str, sources: &dyn Sources) -> Result<Compiled, Vec<Diagnostic>> {
-    let program = load(entry, sources)?;
     let mut found = Vec::new();
-
+    let program = load(entry, sources, &mut found);
     let library = Library::collect(&program, &mut found);
-    let Some(machine) = library::entry_machine(&program, &mut found) else { return Err(found) };
-    let Some(statements) = family::of_machine(&library, machine, &mut found) else { return Err(found) };
-    let controller = family::controller(&library, &statements, &mut found);
-    let draft = describe(&library, &machine, &statements, controller.as_ref(), &mut found);
+    let Some(machine) = library::entry_machine(&program, &mut found) else {
+        return Err(in_order(&program.sources, found));
+    };
+    let said = family::of_machine(&library, machine, &mut found);
+    let controller = family::controller(&library, &said.statements, &mut found);
+    let draft = describe(&library, &machine, &said, controller.as_ref(), &mut found);
     let dialect = controller.as_ref().and_then(|controller| dialect(controller, &draft, &mut found));
     found.extend(check::all(&draft));
     refuse_errors(&program.sources, &mut found)?;
 
     let model = Model { dialect, ..build(&draft) };
     if let Some(controller) = &controller {
-        found.extend(check::narrow_word::check(&model, &draft, &controller.statements));
-        found.extend(check::no_way_out::check(&model, &draft, &controller.statements));
+        found.extend(check::narrow_word::check(&model, &draft, &controller.said.statements));
+        found.extend(check::no_way_out::check(&model, &draft, &controller.said.statements));
     }
     refuse_errors(&program.sources, &mut found)?;
 
@@ -65,12 +66,18 @@ pub fn compile(entry: &str, sources: &dyn Sources) -> Result<Compiled, Vec<Diagn
     Ok(Compiled { model, origins, plan, proof, warnings: found })
 }
 
-/// Puts what was found in the order of the text, and ends the work if an error is among it.
+/// Ends the work if an error was found.
 fn refuse_errors(sources: &SourceMap, found: &mut Vec<Diagnostic>) -> Result<(), Vec<Diagnostic>> {
+    *found = in_order(sources, std::mem::take(found));
+    let refused = found.iter().any(|diagnostic| diagnostic.severity == Severity::Error);
+    if refused { Err(std::mem::take(found)) } else { Ok(()) }
+}
+
+/// What was found, in the order of the text.
+fn in_order(sources: &SourceMap, mut found: Vec<Diagnostic>) -> Vec<Diagnostic> {
     found.sort_by_key(|diagnostic| {
         let cause = diagnostic.labels.first().map(|label| &label.place);
         cause.map(|place| (sources.find(&place.file), place.line, place.column))
     });
-    let refused = found.iter().any(|diagnostic| diagnostic.severity == Severity::Error);
-    if refused { Err(std::mem::take(found)) } else { Ok(()) }
+    found
 }

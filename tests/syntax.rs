@@ -143,8 +143,8 @@ fn the_same_in_a_controller() {
     for (statement, message) in [
         ("word X Y Z", "E0107 2:11 expected an axis or the name of a format, found the end of the line"),
         ("word x length", "E0107 2:6 expected an axis, found `x`"),
-        ("group motions { }", "E0111 2:7 there is no group `motions`"),
-        ("group motion { feed \"G1\" }", "E0111 2:16 there is no member of the group `feed`"),
+        ("group motions { }", "E0115 2:7 there is no group `motions`"),
+        ("group motion { feed \"G1\" }", "E0115 2:16 there is no member of the group `feed`"),
         ("offset \"G54\"", "E0107 2:8 expected a value, found `\"`"),
         ("sequence \"N\" step 5 start 1", "E0107 2:21 expected `greatest` or `}`, found `start`"),
         ("extension nc", "E0107 2:11 expected a text in quotes, found `nc`"),

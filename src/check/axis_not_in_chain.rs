@@ -19,7 +19,7 @@ Put it into the chain (`chain w C b X Y Z t`: a table on the bed), or delete the
 };
 
 pub(crate) fn check(draft: &Draft<'_>) -> Vec<Diagnostic> {
-    let Some(chain) = &draft.chain else { return Vec::new() };
+    let Some(chain) = draft.chain.as_ref().filter(|_| draft.is_chain_whole) else { return Vec::new() };
     // One that an unknown axis of the chain stands for is reported there.
     let meant: Vec<&str> = unknown_axis::unknown(draft).filter_map(|name| unknown_axis::meant(draft, name)).collect();
     let stands = |name: &str| draft.links().any(|link| link.value == name) || meant.contains(&name);

@@ -28,9 +28,12 @@ pub(crate) fn check(draft: &Draft<'_>) -> Vec<Diagnostic> {
 }
 
 fn report(draft: &Draft<'_>, error: &ErrorDraft) -> Option<Diagnostic> {
-    let Measured::Table(rows) = &error.measured else { return None };
+    let Measured::Table { rows, is_whole } = &error.measured else { return None };
     let name = &error.name.value;
     let (Some(first), Some(last)) = (rows.first(), rows.last()) else {
+        if !is_whole {
+            return None;
+        }
         let message = format!("the table of {name} has no rows");
         return Some(super::error(draft, &ROWS, message, &error.name.at, "nothing was measured"));
     };
@@ -41,7 +44,7 @@ fn report(draft: &Draft<'_>, error: &ErrorDraft) -> Option<Diagnostic> {
         return Some(pair((a, b), format!("the positions of {name} do not ascend"), "not above the row before"));
     }
     let is_whole_turn = draft.axes[error.axis].motion == Motion::Rotary && last.value.0 - first.value.0 == 360.0;
-    (is_whole_turn && first.value.1 != last.value.1).then(|| {
+    (*is_whole && is_whole_turn && first.value.1 != last.value.1).then(|| {
         pair((first, last), format!("{name} has two values at one position"), "a whole turn from the first row")
     })
 }

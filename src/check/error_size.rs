@@ -33,7 +33,7 @@ fn too_large(draft: &Draft<'_>, error: &ErrorDraft) -> Vec<Diagnostic> {
         if error.component.is_turn() { (GREATEST_DEG, "deg", "urad") } else { (GREATEST_MM, "mm", "um") };
     let values = match &error.measured {
         Measured::Location(value) => vec![(*value, &error.name.at)],
-        Measured::Table(rows) => rows.iter().map(|row| (row.value.1, &row.at)).collect(),
+        Measured::Table { rows, .. } => rows.iter().map(|row| (row.value.1, &row.at)).collect(),
     };
     let large = values.into_iter().filter(|(value, _)| value.abs() > greatest);
     let report = |(value, at)| {

@@ -23,7 +23,8 @@ without limits can be written within one turn wherever it stands.
 };
 
 pub(crate) fn check(draft: &Draft<'_>) -> Vec<Diagnostic> {
-    draft.rotaries().filter_map(|axis| beyond(draft, axis)).collect()
+    let is_known = |axis: &&AxisDraft| !draft.lost_of_controller.may_say(&["write"], &axis.name.value);
+    draft.rotaries().filter(is_known).filter_map(|axis| beyond(draft, axis)).collect()
 }
 
 fn beyond(draft: &Draft<'_>, axis: &AxisDraft) -> Option<Diagnostic> {

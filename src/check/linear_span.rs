@@ -22,6 +22,9 @@ normal of that plane.
 };
 
 pub(crate) fn check(draft: &Draft<'_>) -> Vec<Diagnostic> {
+    if !draft.knows_solved() {
+        return Vec::new();
+    }
     let linear = draft.solved(Motion::Linear);
     let pairs = linear.iter().enumerate().flat_map(|(i, one)| linear[i + 1..].iter().map(move |other| [*one, *other]));
     let parallel = pairs.filter(|_| linear.len() <= 3).find(|pair| are_parallel(draft, *pair));

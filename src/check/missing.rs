@@ -24,9 +24,21 @@ A machine has a chain, its axes, and a tool:
 
 pub(crate) fn check(draft: &Draft<'_>) -> Vec<Diagnostic> {
     let needed = [
-        (draft.chain.is_none(), "chain", "`chain w … b … t`, from the workpiece through the bed to the tool"),
-        (draft.axes.is_empty(), "axes", "`linear X along +x`, `rotary C about +z`, each with its direction"),
-        (draft.tool.is_none(), "tool", "`tool along +z`, the direction from the tip to the spindle"),
+        (
+            draft.chain.is_none() && !draft.lost.may_be(&["chain", "dh"]),
+            "chain",
+            "`chain w … b … t`, from the workpiece through the bed to the tool",
+        ),
+        (
+            draft.axes.is_empty() && !draft.may_lack_axes(),
+            "axes",
+            "`linear X along +x`, `rotary C about +z`, each with its direction",
+        ),
+        (
+            draft.tool.is_none() && !draft.lost.may_be(&["tool", "dh"]),
+            "tool",
+            "`tool along +z`, the direction from the tip to the spindle",
+        ),
     ];
     let missing: Vec<_> = needed.into_iter().filter(|(missing, ..)| *missing).collect();
     if missing.is_empty() {

@@ -24,7 +24,7 @@ pub(crate) fn check(draft: &Draft<'_>) -> Vec<Diagnostic> {
         (Some(n1), Some(n2)) => n1.cross(&n2).norm() <= PARALLEL_SINE,
         _ => false,
     };
-    if !standing::always(draft, are_parallel) {
+    if !draft.knows_solved() || !standing::always(draft, are_parallel) {
         return Vec::new();
     }
     let (first_name, second_name) = (&first.name.value, &second.name.value);

@@ -38,6 +38,7 @@ fn report(draft: &Draft<'_>, name: &Name, at: &crate::model::source::Location) -
     let (message, label) = match draft.axis(&name.value) {
         Some((_, AxisDraft { motion: Motion::Rotary, .. })) => return None,
         Some(_) => (format!("{} is not a rotary axis", name.value), "a linear axis"),
+        None if draft.may_lack_axis(&name.value) => return None,
         None => (format!("the machine has no axis {}", name.value), "unknown axis"),
     };
     let at = at.with(&name.span);
@@ -47,6 +48,9 @@ fn report(draft: &Draft<'_>, name: &Name, at: &crate::model::source::Location) -
         let text = format!("did you mean `{meant}`?");
         let replacement = meant.to_owned();
         diagnostic = diagnostic.suggest(Suggestion { text, place: draft.sources.place(&at), replacement });
+    }
+    if draft.may_lack_axes() {
+        return Some(diagnostic);
     }
     Some(diagnostic.note(match &rotaries[..] {
         [] => "the machine has no rotary axes".to_owned(),

@@ -35,7 +35,12 @@ pub(crate) fn check(draft: &Draft<'_>) -> Vec<Diagnostic> {
     };
     // With two linear axes that is how it should be: the rotary turns the point to where they reach it.
     let is_planar = draft.solved(Motion::Linear).len() == 2;
-    if !once(*index) || is_planar || !standing::always(draft, turns_about_it) {
+    if !draft.knows_chain()
+        || !draft.knows_solved()
+        || !once(*index)
+        || is_planar
+        || !standing::always(draft, turns_about_it)
+    {
         return Vec::new();
     }
     let message = format!("{} turns about the tool: it cannot tilt it", last.name.value);

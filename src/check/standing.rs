@@ -31,9 +31,18 @@ impl Standing<'_> {
     }
 }
 
-/// Whether something is wrong wherever the surplus axes stand.
+/// Whether something is wrong wherever the surplus axes stand. Nobody knows of a draft that does not say how they stand.
 pub(super) fn always(draft: &Draft<'_>, wrong: impl Fn(&Standing<'_>) -> bool) -> bool {
-    wrong(&with(draft, 0.0)) && wrong(&with(draft, ELSEWHERE_RAD))
+    is_known(draft) && wrong(&with(draft, 0.0)) && wrong(&with(draft, ELSEWHERE_RAD))
+}
+
+/// Whether everything is known that turns a direction.
+fn is_known(draft: &Draft<'_>) -> bool {
+    let chain = draft.knows_chain();
+    let turns = |axis: &&AxisDraft| draft.ruled(axis).is_some();
+    let is_known =
+        |axis: &AxisDraft| draft.ruled(axis).is_some_and(|ruled| ruled.rule.is_some()) && axis.unit().is_some();
+    draft.rotaries().filter(turns).all(|axis| chain && is_known(axis))
 }
 
 /// A finding, with where the axes stand that have a part in it.

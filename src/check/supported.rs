@@ -38,7 +38,7 @@ steps of a millimetre or a degree. The axes of which nothing is said are those t
 };
 
 pub(crate) fn check(draft: &Draft<'_>) -> Vec<Diagnostic> {
-    if draft.axes.is_empty() {
+    if draft.axes.is_empty() || !draft.knows_solved() {
         return Vec::new();
     }
     let (linear, rotary) = (draft.solved(Motion::Linear), draft.solved(Motion::Rotary));

@@ -43,7 +43,10 @@ pub(crate) fn check(draft: &Draft<'_>) -> Vec<Diagnostic> {
 }
 
 fn report(draft: &Draft<'_>, ruled: &RuleDraft) -> Option<Diagnostic> {
-    let Some((_, axis)) = draft.axis(&ruled.axis.value.value) else { return Some(unknown(draft, ruled)) };
+    let name = &ruled.axis.value.value;
+    let Some((_, axis)) = draft.axis(name) else {
+        return (!draft.may_lack_axis(name)).then(|| unknown(draft, ruled));
+    };
     match ruled.rule? {
         Rule::Locked(value) => beyond(draft, ruled, axis, value),
         Rule::Preferred(value) => needed(draft, ruled, axis).or_else(|| beyond(draft, ruled, axis, value)),
@@ -69,7 +72,7 @@ fn unknown(draft: &Draft<'_>, ruled: &RuleDraft) -> Diagnostic {
 /// A rotary axis without which no two rotaries and three linear axes are left.
 fn needed(draft: &Draft<'_>, ruled: &RuleDraft, axis: &AxisDraft) -> Option<Diagnostic> {
     let left = (draft.solved(Motion::Linear).len(), draft.solved(Motion::Rotary).len());
-    if axis.motion == Motion::Linear || left.0 >= 3 && left.1 >= 2 {
+    if axis.motion == Motion::Linear || left.0 >= 3 && left.1 >= 2 || draft.may_lack_axes() {
         return None;
     }
     let message = format!("{} cannot be left open: a pose decides it", axis.name.value);

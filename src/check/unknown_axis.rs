@@ -38,7 +38,8 @@ pub(crate) fn check(draft: &Draft<'_>) -> Vec<Diagnostic> {
 
 /// The axes of the chain that are not declared.
 pub(super) fn unknown<'a>(draft: &'a Draft<'_>) -> impl Iterator<Item = &'a Name> {
-    draft.links().filter(|name| draft.axis(&name.value).is_none())
+    let is_unknown = |name: &str| draft.axis(name).is_none() && !draft.may_lack_axis(name);
+    draft.links().filter(move |name| is_unknown(&name.value))
 }
 
 /// The declared axis that an undeclared one of the chain probably stands for: one that is not in the chain.

@@ -47,12 +47,15 @@ fn wrong_axis(draft: &Draft<'_>, written: &WrittenDraft) -> Option<Diagnostic> {
     let name = &written.axis.value.value;
     let (message, label) = match draft.axis(name) {
         Some((_, AxisDraft { motion: Motion::Rotary, .. })) => return None,
-        None if !written.of_the_machine => return None,
+        None if !written.of_the_machine || draft.may_lack_axis(name) => return None,
         Some(_) => (format!("{name} is not a rotary axis"), "a linear axis"),
         None => (format!("the machine has no axis {name}"), "unknown axis"),
     };
     let rotaries: Vec<&str> = draft.rotaries().map(|axis| axis.name.value.as_str()).collect();
     let diagnostic = super::error(draft, &NOT_ROTARY, message, &written.axis.at, label);
+    if draft.may_lack_axes() {
+        return Some(diagnostic);
+    }
     Some(diagnostic.note(format!("the machine's rotary axes: {}", rotaries.join(", "))))
 }
 

@@ -99,7 +99,7 @@ fn build_errors(draft: &Draft<'_>) -> Errors {
             Measured::Location(said) => {
                 errors.locations.push(LocationError { axis, component, value: value(*said) });
             }
-            Measured::Table(rows) => {
+            Measured::Table { rows, .. } => {
                 let rows = rows.iter().map(|row| (row.value.0, value(row.value.1))).collect();
                 errors.tables.push(ErrorTable { axis, component, rows });
             }

@@ -2,15 +2,17 @@
 
 use super::draft::{AxisDraft, Draft, RuleDraft, ToolDraft, WrittenDraft};
 use super::evaluate::Evaluator;
-use super::family::Controller;
+use super::family::{Controller, Said};
 use super::field::{Field, Sign};
 use super::library::{Entry, Library};
+use super::lost::Lost;
 use super::parameter::{self, Parameter};
 use super::source::{Located, Location, SourceMap};
+use super::subject::AXIS;
 use super::{dh, measured};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::syntax::tree::{
-    AxisClause, BranchStatement, ControllerStatement, Expression, MachineStatement, Name, Preference, Spanned,
+    AxisClause, BranchStatement, Broken, ControllerStatement, Expression, MachineStatement, Name, Preference, Spanned,
     ToleranceKind,
 };
 use mach_runtime::machine::{Motion, Rule, Travel};
@@ -33,11 +35,12 @@ far as machc is concerned.
 pub(crate) fn describe<'a>(
     library: &Library<'a>,
     machine: &Entry<'_, MachineStatement>,
-    statements: &[Located<MachineStatement>],
+    said: &Said<MachineStatement>,
     controller: Option<&Controller<'_>>,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Draft<'a> {
-    let mut evaluator = Evaluator::new(library.sources);
+    let statements = &said.statements[..];
+    let mut evaluator = Evaluator::new(library.sources, &said.lost);
     let parameters = parameters(statements);
     parameter::define(&mut evaluator, &parameters);
     let mut draft = empty(library.sources, machine);
@@ -45,15 +48,18 @@ pub(crate) fn describe<'a>(
     for statement in statements {
         statement_into(&mut evaluator, &mut draft, statement);
     }
+    lost_axes(&mut draft, said.lost.clone());
     dh::lower(&mut evaluator, &mut draft, statements);
     draft.ruled = ruled(&mut evaluator, &draft, statements);
     measured::errors(&mut evaluator, &mut draft, statements);
     if let Some(controller) = controller {
         // A controller's definition stands alone: its expressions know no machine's parameters.
-        let mut alone = Evaluator::new(library.sources);
+        let nothing = Lost::default();
+        let mut alone = Evaluator::new(library.sources, &nothing);
         draft.written.extend(controller.family.iter().filter_map(|said| written_by(&mut alone, said, false)));
         draft.written.extend(controller.own.iter().filter_map(|said| written_by(&mut evaluator, said, true)));
         diagnostics.append(&mut alone.diagnostics);
+        draft.lost_of_controller = controller.said.lost.clone();
     }
     diagnostics.append(&mut evaluator.diagnostics);
     draft
@@ -74,6 +80,7 @@ fn empty<'a>(sources: &'a SourceMap, machine: &Entry<'_, MachineStatement>) -> D
         parameters: Vec::new(),
         chain: None,
         is_chain_of_a_table: false,
+        is_chain_whole: true,
         axes: Vec::new(),
         tool: None,
         errors: Vec::new(),
@@ -87,6 +94,8 @@ fn empty<'a>(sources: &'a SourceMap, machine: &Entry<'_, MachineStatement>) -> D
         reposition: None,
         ruled: Vec::new(),
         written: Vec::new(),
+        lost: Lost::default(),
+        lost_of_controller: Lost::default(),
     }
 }
 
@@ -197,6 +206,31 @@ fn tool(
 fn direction(evaluator: &mut Evaluator<'_>, at: &Location, said: &Expression) -> Option<Located<Vector3<f64>>> {
     let value = evaluator.direction(at.source, said)?;
     Some(Located { value, at: at.with(&said.span) })
+}
+
+/// Draws axes of what was not understood, where that is only about them.
+fn lost_axes(draft: &mut Draft<'_>, mut lost: Lost) {
+    for axis in lost.take(lost_axis) {
+        if draft.axis(&axis.name.value).is_none() {
+            draft.axes.push(axis);
+        }
+    }
+    draft.lost = lost;
+}
+
+/// An axis of which no more was understood than that it is there.
+fn lost_axis(lost: &Located<Broken>) -> Option<AxisDraft> {
+    let (keyword, name) = lost.value.only_meaning()?;
+    let motion = AXIS.iter().zip([Motion::Linear, Motion::Rotary]).find(|(axis, _)| **axis == keyword)?.1;
+    Some(AxisDraft {
+        at: lost.at.clone(),
+        name: Located { value: name.to_owned(), at: lost.at.clone() },
+        motion,
+        direction: None,
+        point_mm: None,
+        travel: None,
+        rapid_per_min: None,
+    })
 }
 
 type AxisParts<'t> = (&'t Name, Option<&'t Expression>, Option<&'t Expression>, &'t [Spanned<AxisClause>]);

@@ -59,7 +59,7 @@ pub(super) fn lower(evaluator: &mut Evaluator<'_>, draft: &mut Draft<'_>, statem
     });
     for (name, direction, at) in axes {
         match (table, direction) {
-            (None, None) => {
+            (None, None) if !draft.lost.may_be(&["dh"]) => {
                 let message = format!("nothing says where {} lies", name.value);
                 evaluator.report(&NO_LINE, at.source, &name.span, message, "in which direction?");
             }
@@ -90,7 +90,10 @@ fn report_both(evaluator: &mut Evaluator<'_>, what: &str, at: &Location, table: 
 fn replace(evaluator: &mut Evaluator<'_>, draft: &mut Draft<'_>, body: &Body<DhRow>, at: &Location) {
     let mut links = vec![Link::Workpiece(at.span.clone())];
     let mut frame = Some(Frame { axes: Matrix3::identity(), origin_mm: Vector3::zeros() });
+    draft.is_chain_whole = body.broken.is_empty();
     for row in &body.statements {
+        // Behind a link that was not understood nobody knows where the next one begins.
+        frame = frame.filter(|_| body.broken.iter().all(|broken| row.span.start < broken.span.start));
         match &row.node {
             DhRow::Bed(span) => links.push(Link::Bed(span.clone())),
             DhRow::Link { axis, parameters } => {
@@ -104,6 +107,7 @@ fn replace(evaluator: &mut Evaluator<'_>, draft: &mut Draft<'_>, body: &Body<DhR
             }
         }
     }
+    frame = frame.filter(|_| body.broken.is_empty());
     links.push(Link::Tool(at.span.clone()));
     draft.chain = Some(Located { value: links, at: at.clone() });
     draft.is_chain_of_a_table = true;

@@ -1,6 +1,8 @@
 //! A machine as it was said, evaluated but not yet checked: what the checks look at.
 
+use super::lost::Lost;
 use super::source::{Located, Location, SourceMap};
+use super::subject::AXIS;
 use crate::syntax::tree::{Link, Name, Preference};
 use mach_runtime::error_table::Component;
 use mach_runtime::machine::{Motion, Rule, Strictness};
@@ -17,6 +19,8 @@ pub(crate) struct Draft<'a> {
     pub(crate) chain: Option<Located<Vec<Link>>>,
     /// Whether a `dh` table says the chain.
     pub(crate) is_chain_of_a_table: bool,
+    /// Whether every link of the chain was understood.
+    pub(crate) is_chain_whole: bool,
     /// In the order of declaration; no name twice.
     pub(crate) axes: Vec<AxisDraft>,
     pub(crate) tool: Option<ToolDraft>,
@@ -33,6 +37,10 @@ pub(crate) struct Draft<'a> {
     pub(crate) ruled: Vec<RuleDraft>,
     /// What the controller says of written ranges, and behind it what the machine says.
     pub(crate) written: Vec<WrittenDraft>,
+    /// What was said of the machine and not understood, without the axes that are known by their names.
+    pub(crate) lost: Lost,
+    /// What was said of its controller and not understood.
+    pub(crate) lost_of_controller: Lost,
 }
 
 /// A declared axis.
@@ -83,7 +91,12 @@ pub(crate) enum Measured {
     /// Where the axis lies.
     Location(f64),
     /// By the position of the axis.
-    Table(Vec<MeasuredRow>),
+    Table {
+        /// The rows that were understood.
+        rows: Vec<MeasuredRow>,
+        /// Whether these are all.
+        is_whole: bool,
+    },
 }
 
 /// Position (millimetres or degrees) and error (millimetres or degrees).
@@ -102,6 +115,27 @@ impl Draft<'_> {
     /// The axis of this name and its index.
     pub(crate) fn axis(&self, name: &str) -> Option<(usize, &AxisDraft)> {
         self.axes.iter().enumerate().find(|(_, axis)| axis.name.value == name)
+    }
+
+    /// Whether every link of the chain is an axis that is known.
+    pub(crate) fn knows_chain(&self) -> bool {
+        self.chain.is_some() && self.is_chain_whole && self.links().all(|link| self.axis(&link.value).is_some())
+    }
+
+    /// Whether there may be an axis of this name beside those that are known.
+    pub(crate) fn may_lack_axis(&self, name: &str) -> bool {
+        self.lost.may_say(&AXIS, name)
+    }
+
+    /// Whether there may be axes beside those that are known.
+    pub(crate) fn may_lack_axes(&self) -> bool {
+        self.lost.may_be(&AXIS)
+    }
+
+    /// Whether it is known of every axis that the pose decides it, or does not.
+    pub(crate) fn knows_solved(&self) -> bool {
+        let may_be_ruled = ["lock", "prefer", "free"].iter().any(|rule| self.lost.may_say(&["branch"], rule));
+        !self.may_lack_axes() && !may_be_ruled
     }
 
     /// The rotary axes in the order of declaration.

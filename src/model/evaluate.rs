@@ -2,6 +2,7 @@
 
 use super::arithmetic::UNITS_DO_NOT_FIT;
 use super::function::{self, Function};
+use super::lost::Lost;
 use super::quantity::{Dimension, Value, measure};
 use super::scalar;
 use super::source::{Location, SourceId, SourceMap};
@@ -58,6 +59,8 @@ pub(crate) struct Evaluator<'a> {
     pub(crate) sources: &'a SourceMap,
     /// What is known of the parameters.
     pub(crate) parameters: BTreeMap<String, Known>,
+    /// What may define others.
+    lost: &'a Lost,
     pub(crate) diagnostics: Vec<Diagnostic>,
 }
 
@@ -71,8 +74,8 @@ pub(crate) struct Known {
 
 impl<'a> Evaluator<'a> {
     /// Knows no parameters yet.
-    pub(crate) fn new(sources: &'a SourceMap) -> Self {
-        Self { sources, parameters: BTreeMap::new(), diagnostics: Vec::new() }
+    pub(crate) fn new(sources: &'a SourceMap, lost: &'a Lost) -> Self {
+        Self { sources, parameters: BTreeMap::new(), lost, diagnostics: Vec::new() }
     }
 
     /// The value in base units; `None` when something was wrong, which has been said.
@@ -119,6 +122,9 @@ impl<'a> Evaluator<'a> {
         }
         if let Some(known) = self.parameters.get(name) {
             return known.value;
+        }
+        if self.lost.may_say(&["let"], name) {
+            return None;
         }
         let place = self.place(source, span);
         let mut diagnostic =

@@ -1,10 +1,11 @@
 //! `like`: a definition's statements on top of its family's.
 
 use super::library::{Entry, Library, Shelf};
+use super::lost::Lost;
 use super::source::{Located, Location, SourceId, SourceMap};
 use super::subject::Statement;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::syntax::tree::{Body, ControllerStatement, MachineStatement, Name};
+use crate::syntax::tree::{Body, Broken, ControllerStatement, MachineStatement, Name};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The same thing said twice.
@@ -34,12 +35,20 @@ others.
 ",
 };
 
-/// What is said of a machine; `None` when its family is not known, which has been reported.
+/// What is said of a machine or a controller.
+#[derive(Clone)]
+pub(crate) struct Said<T> {
+    pub(crate) statements: Vec<Located<T>>,
+    /// What is said beside them, and was not understood.
+    pub(crate) lost: Lost,
+}
+
+/// What is said of a machine.
 pub(crate) fn of_machine(
     library: &Library<'_>,
     machine: Entry<'_, MachineStatement>,
     diagnostics: &mut Vec<Diagnostic>,
-) -> Option<Vec<Located<MachineStatement>>> {
+) -> Said<MachineStatement> {
     statements(&library.machines, machine, library.sources, diagnostics)
 }
 
@@ -50,12 +59,13 @@ fn statements<'a, T: Statement>(
     entry: Entry<'a, T>,
     sources: &SourceMap,
     diagnostics: &mut Vec<Diagnostic>,
-) -> Option<Vec<Located<T>>> {
-    let mut layers = Vec::new();
-    for member in lineage(shelf, entry, sources, diagnostics)? {
+) -> Said<T> {
+    let (members, lost) = lineage(shelf, entry, sources, diagnostics);
+    let mut layers = Said { statements: Vec::new(), lost };
+    for member in members {
         overlay(&mut layers, body(&member.definition.body, member.source, sources, diagnostics));
     }
-    Some(layers)
+    layers
 }
 
 /// A machine's statements about its controller, over the controller's own; and the controller's name.
@@ -72,16 +82,18 @@ pub(crate) fn controller<'a>(
         })
         .collect();
     let (source, name, _) = *blocks.last()?;
-    let entry = library.controllers.find(name, source, library.sources, diagnostics)?;
-    let family = statements(&library.controllers, entry, library.sources, diagnostics)?;
-    let mut own = Vec::new();
+    let family = match library.controllers.find(name, source, library.sources, diagnostics) {
+        Some(entry) => statements(&library.controllers, entry, library.sources, diagnostics),
+        None => Said { statements: Vec::new(), lost: Lost::anything(source, name.span.clone()) },
+    };
+    let mut own = Said { statements: Vec::new(), lost: Lost::default() };
     for (source, _, changes) in blocks.into_iter().filter(|block| block.1.value == name.value) {
         overlay(&mut own, body(changes, source, library.sources, diagnostics));
     }
     let name = Located { value: name, at: Location { source, span: name.span.clone() } };
-    let mut statements = family.clone();
-    overlay(&mut statements, own.clone());
-    Some(Controller { name, family, own, statements })
+    let mut said = family.clone();
+    overlay(&mut said, own.clone());
+    Some(Controller { name, family: family.statements, own: own.statements, said })
 }
 
 /// A controller as a machine has it.
@@ -93,32 +105,38 @@ pub(crate) struct Controller<'a> {
     /// What the machine changes.
     pub(crate) own: Vec<Located<ControllerStatement>>,
     /// What holds: the one over the other.
-    pub(crate) statements: Vec<Located<ControllerStatement>>,
+    pub(crate) said: Said<ControllerStatement>,
 }
 
-/// The definition and everything it is like, the eldest first; `None` for an unknown family or a circle.
+/// The definition and everything it is like, the eldest first. Behind an unknown family or in a circle anything is lost.
 fn lineage<'a, T>(
     shelf: &Shelf<'a, T>,
     entry: Entry<'a, T>,
     sources: &SourceMap,
     diagnostics: &mut Vec<Diagnostic>,
-) -> Option<Vec<Entry<'a, T>>> {
+) -> (Vec<Entry<'a, T>>, Lost) {
     let mut members = vec![entry];
     let mut eldest = entry;
+    let mut lost = Lost::default();
     while let Some(like) = &eldest.definition.like {
-        let elder = shelf.find(like, eldest.source, sources, diagnostics)?;
+        let unknown = || Lost::anything(eldest.source, like.span.clone());
+        let Some(elder) = shelf.find(like, eldest.source, sources, diagnostics) else {
+            lost = unknown();
+            break;
+        };
         if members.iter().any(|member| member.at() == elder.at()) {
             let name = &elder.definition.name.value;
             let at = Location { source: eldest.source, span: like.span.clone() };
             let message = format!("the {} `{name}` is like itself", shelf.kind);
             diagnostics.push(Diagnostic::error(&LIKE_CYCLE, message).at(sources.place(&at), "closes the circle"));
-            return None;
+            lost = unknown();
+            break;
         }
         members.push(elder);
         eldest = elder;
     }
     members.reverse();
-    Some(members)
+    (members, lost)
 }
 
 /// A body's statements; what it says twice is reported.
@@ -127,13 +145,17 @@ fn body<T: Statement>(
     source: SourceId,
     sources: &SourceMap,
     diagnostics: &mut Vec<Diagnostic>,
-) -> Vec<Located<T>> {
+) -> Said<T> {
+    let inside: Vec<Broken> = body.statements.iter().flat_map(|stated| stated.node.broken()).collect();
     let mut said: BTreeMap<String, Location> = BTreeMap::new();
     let mut statements = Vec::new();
     for (span, value) in body.statements.iter().flat_map(|stated| stated.node.parts(&stated.span)) {
         let at = Location { source, span };
         for subject in value.subjects() {
             let Some(first) = said.insert(subject.clone(), at.clone()) else { continue };
+            if inside.iter().any(|broken| T::may_be_about(broken, &subject)) {
+                continue;
+            }
             let diagnostic = Diagnostic::error(&SAID_TWICE, format!("`{subject}` is said twice"))
                 .at(sources.place(&at), "said again")
                 .at(sources.place(&first), "first said here");
@@ -141,11 +163,19 @@ fn body<T: Statement>(
         }
         statements.push(Located { value, at });
     }
-    statements
+    Said { statements, lost: Lost::of(source, body.broken.iter().cloned().chain(inside)) }
 }
 
-/// Puts statements on top: one that is about the same thing takes the place of the one below.
-fn overlay<T: Statement>(below: &mut Vec<Located<T>>, above: Vec<Located<T>>) {
+/// Puts statements on top: one that is about the same thing takes the place of the one below, and one that may be takes it
+/// away.
+fn overlay<T: Statement>(below: &mut Said<T>, above: Said<T>) {
+    let may_be_about = |subject: &String| above.lost.any(|broken| T::may_be_about(broken, subject));
+    below.statements.retain(|statement| !statement.value.subjects().iter().any(may_be_about));
+    replace(&mut below.statements, above.statements);
+    below.lost.extend(above.lost);
+}
+
+fn replace<T: Statement>(below: &mut Vec<Located<T>>, above: Vec<Located<T>>) {
     let mut places: BTreeMap<String, usize> = BTreeMap::new();
     for (index, statement) in below.iter().enumerate().filter(|(_, statement)| !statement.value.adds_to_family()) {
         places.extend(statement.value.subjects().into_iter().map(|subject| (subject, index)));

@@ -1,6 +1,7 @@
 //! Every definition by its name, and the one machine that the entry file defines.
 
 use super::load::Program;
+use super::lost::Lost;
 use super::source::{Location, SourceId, SourceMap};
 use crate::diagnostic::{Code, Diagnostic, Suggestion};
 use crate::syntax::spelling::nearest;
@@ -74,6 +75,8 @@ pub(crate) struct Shelf<'a, T> {
     /// `machine` or `controller`.
     pub(crate) kind: &'static str,
     entries: BTreeMap<&'a str, Entry<'a, T>>,
+    /// What may define others.
+    lost: &'a Lost,
 }
 
 /// Everything that is defined.
@@ -86,8 +89,8 @@ pub(crate) struct Library<'a> {
 impl<'a> Library<'a> {
     /// Collects the definitions of all files.
     pub(crate) fn collect(program: &'a Program, diagnostics: &mut Vec<Diagnostic>) -> Self {
-        let mut machines = Shelf { kind: "machine", entries: BTreeMap::new() };
-        let mut controllers = Shelf { kind: "controller", entries: BTreeMap::new() };
+        let mut machines = Shelf { kind: "machine", entries: BTreeMap::new(), lost: &program.lost };
+        let mut controllers = Shelf { kind: "controller", entries: BTreeMap::new(), lost: &program.lost };
         for (source, item) in program.items() {
             match item {
                 Item::Use(_) => {}
@@ -104,6 +107,10 @@ impl<'a> Library<'a> {
 impl<'a, T> Shelf<'a, T> {
     fn put(&mut self, entry: Entry<'a, T>, sources: &SourceMap, diagnostics: &mut Vec<Diagnostic>) {
         let name = entry.definition.name.value.as_str();
+        // Behind a broken head, a machine's own `controller` block looks like a definition.
+        if self.entries.contains_key(name) && self.lost.may_be(&["machine"]) {
+            return;
+        }
         if let Some(first) = self.entries.get(name) {
             let diagnostic = Diagnostic::error(&DEFINED_TWICE, format!("the {} `{name}` is defined twice", self.kind))
                 .at(sources.place(&entry.at()), "defined again")
@@ -114,7 +121,7 @@ impl<'a, T> Shelf<'a, T> {
         self.entries.insert(name, entry);
     }
 
-    /// The definition of this name; a name that is unknown is reported.
+    /// The definition of this name; a name that is unknown is reported, unless it may be one of what was not understood.
     pub(crate) fn find(
         &self,
         name: &Name,
@@ -124,6 +131,9 @@ impl<'a, T> Shelf<'a, T> {
     ) -> Option<Entry<'a, T>> {
         if let Some(entry) = self.entries.get(name.value.as_str()) {
             return Some(*entry);
+        }
+        if self.lost.may_say(&[self.kind], &name.value) || self.lost.may_be(&["use"]) {
+            return None;
         }
         let place = sources.place(&Location { source, span: name.span.clone() });
         let message = format!("there is no {} `{}`", self.kind, name.value);
@@ -154,6 +164,10 @@ pub(crate) fn entry_machine<'a>(
         .collect();
     if let [machine] = machines[..] {
         return Some(machine);
+    }
+    let is_lost = program.files[0].body.broken.iter().any(|broken| broken.may_be(&["machine"]));
+    if machines.is_empty() && is_lost {
+        return None;
     }
     let name = program.sources.name(entry_file);
     let count = if machines.is_empty() { "no machine".to_owned() } else { format!("{} machines", machines.len()) };

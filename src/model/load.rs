@@ -1,5 +1,6 @@
 //! Reading: the entry file and everything it uses, each once.
 
+use super::lost::Lost;
 use super::source::{Located, Location, SourceId, SourceMap};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::sources::Sources;
@@ -38,11 +39,14 @@ Put what both need into a third file, and let both use that.
 const GREATEST_DEPTH: usize = 64;
 
 /// Every file that belongs to a machine.
+#[derive(Default)]
 pub(crate) struct Program {
     /// The texts.
     pub(crate) sources: SourceMap,
     /// The trees, by [`SourceId`].
     pub(crate) files: Vec<File>,
+    /// What stands beside the items of the files, and the files that cannot be read.
+    pub(crate) lost: Lost,
 }
 
 impl Program {
@@ -54,11 +58,10 @@ impl Program {
 }
 
 /// Reads and parses. Mistakes of all files are collected.
-pub(crate) fn load(entry: &str, sources: &dyn Sources) -> Result<Program, Vec<Diagnostic>> {
-    let program = Program { sources: SourceMap::default(), files: Vec::new() };
-    let mut loader = Loader { sources, program, open: Vec::new(), diagnostics: Vec::new() };
+pub(crate) fn load(entry: &str, sources: &dyn Sources, diagnostics: &mut Vec<Diagnostic>) -> Program {
+    let mut loader = Loader { sources, program: Program::default(), open: Vec::new(), diagnostics };
     loader.file(normal(entry), None);
-    if loader.diagnostics.is_empty() { Ok(loader.program) } else { Err(loader.diagnostics) }
+    loader.program
 }
 
 struct Loader<'a> {
@@ -66,7 +69,7 @@ struct Loader<'a> {
     program: Program,
     /// The files between the entry and the one being read.
     open: Vec<String>,
-    diagnostics: Vec<Diagnostic>,
+    diagnostics: &'a mut Vec<Diagnostic>,
 }
 
 impl Loader<'_> {
@@ -87,6 +90,7 @@ impl Loader<'_> {
         let Parsed { tree, diagnostics } = parse(&path, &text);
         self.diagnostics.extend(diagnostics);
         let source = self.program.sources.add(path.clone(), text);
+        self.program.lost.extend(Lost::of(source, tree.body.broken.iter().cloned()));
         let used: Vec<Located<Text>> = uses(source, &tree);
         self.program.files.push(tree);
         self.open.push(path.clone());
@@ -97,6 +101,9 @@ impl Loader<'_> {
     }
 
     fn report_unreadable(&mut self, path: &str, reason: &str, used_at: Option<Location>) {
+        if let Some(Location { source, span }) = used_at.clone() {
+            self.program.lost.extend(Lost::anything(source, span));
+        }
         let diagnostic = Diagnostic::error(&CANNOT_READ, format!("cannot read `{path}`: {reason}"));
         self.diagnostics.push(self.placed(diagnostic, used_at));
     }

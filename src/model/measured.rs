@@ -72,6 +72,9 @@ impl Said<'_> {
         let source = self.at.source;
         let read = ErrorName::read(&self.name.value);
         let known = read.and_then(|name| Some((name, draft.axis(name.axis)?)));
+        if known.is_none() && read.is_some_and(|name| draft.may_lack_axis(name.axis)) {
+            return None;
+        }
         let Some((name, (axis, declared))) = known else {
             evaluator.diagnostics.push(self.unknown(evaluator, draft, read));
             return None;
@@ -79,7 +82,8 @@ impl Said<'_> {
         let field = if name.component.is_turn() { Field::Angle } else { Field::Length };
         let measured = match (self.value, name.is_location) {
             (Err(value), true) => Measured::Location(evaluator.number(source, value, field, Sign::Any)?),
-            (Ok(rows), false) => Measured::Table(self.rows(evaluator, rows, Field::travel(declared.motion), field)?),
+            (Ok(rows), false) => self.table(evaluator, rows, Field::travel(declared.motion), field),
+            (Ok(rows), true) if !rows.broken.is_empty() => return None,
             (_, is_location) => {
                 evaluator.diagnostics.push(self.wrong_form(evaluator, name, is_location));
                 return None;
@@ -89,22 +93,16 @@ impl Said<'_> {
         Some(ErrorDraft { name: Located { value: name.canonical(), at }, axis, component: name.component, measured })
     }
 
-    fn rows(
-        &self,
-        evaluator: &mut Evaluator<'_>,
-        rows: &Body<ErrorRow>,
-        position: Field,
-        error: Field,
-    ) -> Option<Vec<MeasuredRow>> {
+    fn table(&self, evaluator: &mut Evaluator<'_>, rows: &Body<ErrorRow>, position: Field, error: Field) -> Measured {
         let source = self.at.source;
-        let rows = rows.statements.iter().map(|row| {
+        let measured = rows.statements.iter().filter_map(|row| {
             let position = evaluator.number(source, &row.node.position, position, Sign::Any);
             let error = evaluator.number(source, &row.node.error, error, Sign::Any);
             Some(Located { value: (position?, error?), at: self.at.with(&row.span) })
         });
-        // Every row is looked at, so that every mistake is told.
-        let rows: Vec<Option<_>> = rows.collect();
-        rows.into_iter().collect()
+        let measured: Vec<MeasuredRow> = measured.collect();
+        let is_whole = rows.broken.is_empty() && measured.len() == rows.statements.len();
+        Measured::Table { rows: measured, is_whole }
     }
 
     fn unknown(&self, evaluator: &Evaluator<'_>, draft: &Draft<'_>, read: Option<ErrorName<'_>>) -> Diagnostic {

@@ -2,7 +2,7 @@
 
 use super::error_name::ErrorName;
 use crate::syntax::tree::{
-    Body, BranchStatement, ControllerStatement, MachineStatement, Name, Span, Stated, ToleranceKind, Trivia,
+    Body, BranchStatement, Broken, ControllerStatement, MachineStatement, Name, Span, Stated, ToleranceKind, Trivia,
 };
 
 /// A statement of a definition that can be like another one.
@@ -15,11 +15,30 @@ pub(crate) trait Statement: Clone {
         vec![(span.clone(), self.clone())]
     }
 
+    /// What stands inside of its block and was not understood, as statements of the body that it stands in itself.
+    fn broken(&self) -> Vec<Broken> {
+        Vec::new()
+    }
+
+    /// Whether what was not understood may be about a subject.
+    fn may_be_about(broken: &Broken, subject: &str) -> bool {
+        let (kind, name) = subject.split_once(' ').unwrap_or((subject, ""));
+        broken.may_be(&Self::keywords(kind)) && (name.is_empty() || broken.may_speak_of(name))
+    }
+
+    /// The keywords of the statements about a kind of subjects.
+    fn keywords(kind: &str) -> Vec<&str> {
+        vec![kind]
+    }
+
     /// Whether it is merged with the family's statement about the same thing instead of replacing it.
     fn adds_to_family(&self) -> bool {
         false
     }
 }
+
+/// The keywords of the statements that declare an axis.
+pub(crate) const AXIS: [&str; 2] = ["linear", "rotary"];
 
 impl Statement for MachineStatement {
     fn subjects(&self) -> Vec<String> {
@@ -58,6 +77,21 @@ impl Statement for MachineStatement {
         }
     }
 
+    /// What is broken in a branch block is about any of its words.
+    fn broken(&self) -> Vec<Broken> {
+        let Self::Branch(body) = self else { return Vec::new() };
+        let in_machine = |broken: &Broken| Broken {
+            names: broken.names.clone().zip(broken.keywords.clone()).map(|words| [words.0, words.1].concat()),
+            keywords: Some(vec!["branch".to_owned()]),
+            span: broken.span.clone(),
+        };
+        body.broken.iter().map(in_machine).collect()
+    }
+
+    fn keywords(kind: &str) -> Vec<&str> {
+        if kind == "axis" { AXIS.to_vec() } else { vec![kind] }
+    }
+
     /// What a machine changes of its controller comes on top of what its family changes.
     fn adds_to_family(&self) -> bool {
         matches!(self, Self::Controller { .. })
@@ -82,6 +116,20 @@ fn branch_subject(statement: &BranchStatement) -> String {
 }
 
 impl Statement for ControllerStatement {
+    /// What is broken in a block is about what the block is about.
+    fn broken(&self) -> Vec<Broken> {
+        let (keyword, name, broken) = match self {
+            Self::On { event, body } => ("on", event.value.name(), &body.broken),
+            Self::Group { name, body } => ("group", name.value, &body.broken),
+            _ => return Vec::new(),
+        };
+        let names = Some(name.split(' ').map(str::to_owned).collect());
+        let keywords = Some(vec![keyword.to_owned()]);
+        let of_the_block =
+            |broken: &Broken| Broken { names: names.clone(), keywords: keywords.clone(), ..broken.clone() };
+        broken.iter().map(of_the_block).collect()
+    }
+
     fn subjects(&self) -> Vec<String> {
         let all = |kind: &str, names: &[Name]| names.iter().map(|name| format!("{kind} {}", name.value)).collect();
         let subject = match self {

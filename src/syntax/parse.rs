@@ -26,9 +26,10 @@ pub mod machine;
 pub mod scan;
 mod template;
 mod trivia;
+mod words;
 
 /// Every kind of mistake that the parser finds.
-pub static CODES: [&Code; 14] = [
+pub static CODES: [&Code; 15] = [
     &scan::TOO_LARGE,
     &scan::CONTROL_CHARACTER,
     &scan::UNTERMINATED_TEXT,
@@ -43,6 +44,7 @@ pub static CODES: [&Code; 14] = [
     &expression::TOO_LONG,
     &machine::CLAUSE_TWICE,
     &dh::FIVE_PARAMETERS,
+    &controller::UNKNOWN_MEANING,
 ];
 
 /// What a text says, and what is wrong with it.
@@ -79,7 +81,7 @@ pub fn parse(file_name: &str, text: &str) -> Parsed {
     let mut pairs = MachParser::parse(Rule::file, &scan.text).expect("every text that has been mended is a file");
     let file = pairs.next().expect("a parse of `file` gives one pair");
     let comments = Comments::new(text, scan.comments.clone());
-    let mut builder = Builder { failures: &mut failures, comments, unpaired: &scan.unpaired, told_until: 0 };
+    let mut builder = Builder { failures: &mut failures, comments, unpaired: &scan.unpaired, told: 0..0 };
     let body = builder.body(file, Rule::item, Builder::item);
     Parsed { tree: File { body }, diagnostics: failures.into_errors() }
 }
@@ -89,15 +91,15 @@ struct Builder<'a, 't> {
     failures: &'a mut Failures<'t>,
     comments: Comments<'t>,
     unpaired: &'a Unpaired,
-    /// The end of what is broken and has been told last.
-    told_until: usize,
+    /// What is broken and has been told last, with what goes on with it.
+    told: Span,
 }
 
 impl<'t> Builder<'_, 't> {
     /// The statements of a body (or of the file). `rule` is what a statement of it is, to explain a broken one;
     /// `build` gives `None` where it has reported an error.
     fn body<T>(&mut self, pair: Pair<'t>, rule: Rule, build: impl Fn(&mut Self, Pair<'t>) -> Option<T>) -> Body<T> {
-        let (close, is_complete) = (grammar::extent(&pair).end, self.is_complete(&pair));
+        let (close, is_complete, is_cut) = (grammar::extent(&pair).end, self.is_complete(&pair), is_cut(&pair));
         let mut body = Body { statements: Vec::new(), broken: Vec::new(), trailing: Vec::new() };
         let mut pairs = grammar::content(pair).into_iter().peekable();
         while let Some(pair) = pairs.next() {
@@ -112,21 +114,20 @@ impl<'t> Builder<'_, 't> {
                 (None, _) => body.broken.push(self.refused(rule, span)),
             }
         }
+        if is_cut {
+            self.cut_off(rule, &mut body);
+        }
         body.broken.extend((!is_complete).then(|| Broken::anything(close..close)));
         Body { trailing: self.comments.until(close), ..body }
     }
 
     /// Whether a body holds what it should, as far as its braces tell.
     fn is_complete(&self, body: &Pair<'t>) -> bool {
-        let end = body.clone().into_inner().next_back();
-        let is_closed = body.as_rule() == Rule::file
-            || end.is_some_and(|end| end.as_rule() == Rule::close_brace && !self.is_mended(end.as_span().start()));
+        let last = grammar::extent(body).end.saturating_sub(1);
+        // A `}` that stands only in the text that is parsed.
+        let is_mended = || self.unpaired.missing.iter().any(|gap| gap.contains(&last));
+        let is_closed = body.as_rule() == Rule::file || !is_cut(body) && !is_mended();
         is_closed && self.unpaired.is_certain
-    }
-
-    /// Whether a `}` stands here only in the text that is parsed.
-    fn is_mended(&self, at: usize) -> bool {
-        self.unpaired.missing.iter().any(|gap| gap.contains(&at))
     }
 
     fn with_trivia<T>(
@@ -176,6 +177,11 @@ impl<'t> Builder<'_, 't> {
         let title = parts.take(Rule::text).map(|text| template::text(&text));
         Definition { name, like, title, body: self.body(parts.next(), rule, statement) }
     }
+}
+
+/// Whether a body ends with the text.
+fn is_cut(body: &Pair<'_>) -> bool {
+    body.as_rule() != Rule::file && body.clone().into_inner().next_back().is_some_and(|end| end.as_rule() == Rule::EOI)
 }
 
 fn is_broken(pair: &Pair<'_>) -> bool {

@@ -89,6 +89,12 @@ impl Broken {
         self.keywords.as_ref().is_none_or(|known| known.iter().any(|known| keywords.contains(&known.as_str())))
     }
 
+    /// The only statement that it may be, by its keyword, and what it speaks of.
+    pub fn only_meaning(&self) -> Option<(&str, &str)> {
+        let ([keyword], [_, name, ..]) = (&self.keywords.as_ref()?[..], &self.names.as_ref()?[..]) else { return None };
+        Some((keyword, name))
+    }
+
     /// Whether it may speak of something of this name.
     pub fn may_speak_of(&self, name: &str) -> bool {
         let says = |names: &Vec<String>| name.split(' ').all(|word| names.iter().any(|known| known == word));

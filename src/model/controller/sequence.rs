@@ -59,6 +59,7 @@ pub(super) fn sequence(lowering: &mut Lowering<'_>) -> Option<Sequence> {
 /// A whole number written as digits.
 pub(super) fn whole(lowering: &mut Lowering<'_>, index: usize, expression: &Expression, least: u64) -> Option<u64> {
     let number = match &*expression.value {
+        ExpressionKind::Broken(_) => return None,
         ExpressionKind::Number { digits, unit: None } => digits.parse().ok(),
         _ => None,
     };

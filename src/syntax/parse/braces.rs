@@ -116,8 +116,9 @@ impl Layout {
             false => block.indentation < indentation,
         };
         let Some(first) = self.closed.iter().position(|(block, _)| is_meant(block)) else { return };
-        for (block, closed_at) in self.closed.drain(first..).rev() {
-            self.open.push(block);
+        for (block, closed_at) in self.closed.drain(first..) {
+            let outside = self.open.iter().take_while(|outer| outer.at < block.at).count();
+            self.open.insert(outside, block);
             self.unpaired.surplus.push(closed_at);
         }
     }

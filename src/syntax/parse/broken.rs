@@ -4,6 +4,7 @@ use super::Builder;
 use super::expected::statements;
 use super::failure::Failure;
 use super::grammar::{self, Pair, Rule};
+use super::words::{Word, words};
 use crate::syntax::spelling::nearest;
 use crate::syntax::tree::{Body, Broken, Span};
 
@@ -15,23 +16,26 @@ impl<'t> Builder<'_, 't> {
             return body.broken.push(Broken::anything(span));
         }
         let failure = self.failures.failure(rule, span.start);
-        if failure.is_unknown() {
-            if self.goes_on_a_broken_one(&span, body) {
-                return;
-            }
+        // Where it fails only inside of what is broken next, that one is to blame and will be told itself.
+        let blames_next = next.is_some_and(|next| failure.at() > next);
+        let is_told = failure.is_unknown() && self.goes_on_a_broken_one(&span, body);
+        if failure.is_unknown() && !is_told {
             // With more behind it, what was taken as the statement before is not what was meant.
             let goes_on = |before: &Span| failure.is_clause() || self.goes_on(before, &span);
             let unfinished = body.statements.pop_if(|before| !self.is_block(&before.span) && goes_on(&before.span));
             body.broken.extend(unfinished.map(|before| self.by_its_words(rule, before.span, false)));
         }
-        // Where it fails only inside of what is broken next, that one is to blame and will be told itself.
-        let blames_next = next.is_some_and(|next| span.start + failure.length > next);
-        if !blames_next {
+        if is_told {
+            self.told.end = span.end;
+        } else if !blames_next {
             self.failures.tell(&failure, span.end);
-            self.told_until = span.end;
+            self.told = span.clone();
         }
+        let end = self.failures.text().len();
+        let is_cut = !blames_next && self.failures.text()[failure.at()..].trim().is_empty();
         let is_nameless = !blames_next && self.is_nameless(&failure, span.start);
         body.broken.push(self.by_its_words(rule, span, is_nameless));
+        body.broken.extend(is_cut.then(|| Broken::anything(end..end)));
     }
 
     /// What a statement says that is one by its form, but was refused.
@@ -39,9 +43,19 @@ impl<'t> Builder<'_, 't> {
         self.by_its_words(rule, span, true)
     }
 
+    /// Where a text ends within a block, it may end within its last statement.
+    pub(super) fn cut_off<T>(&self, rule: Rule, body: &mut Body<T>) {
+        let is_last =
+            |span: &Span| words(self.failures.written(), &(span.end..self.failures.written().len()), &[]).is_empty();
+        let cut = body.statements.pop_if(|last| !self.is_block(&last.span) && is_last(&last.span));
+        body.broken.extend(cut.map(|last| self.by_its_words(rule, last.span, false)));
+    }
+
     fn by_its_words(&self, rule: Rule, span: Span, is_nameless: bool) -> Broken {
-        let words = words(&self.failures.text()[span.clone()]);
+        let words = words(self.failures.written(), &span, &self.unpaired.open);
         let names = words.iter().map(|word| word.text.to_owned()).collect();
+        // A file's items have names of their own, and those of others.
+        let is_nameless = is_nameless || rule == Rule::item;
         Broken { keywords: keywords(rule, &words), names: Some(names).filter(|_| !is_nameless), span }
     }
 
@@ -50,23 +64,14 @@ impl<'t> Builder<'_, 't> {
         const NAMES: [Rule; 6] = [Rule::name, Rule::axis, Rule::format, Rule::error_name, Rule::event, Rule::word];
         let is_name = failure.expected.iter().any(|rule| NAMES.contains(rule));
         let is_value = failure.expected.contains(&Rule::quantity);
-        let before = &self.failures.text()[start..start + failure.length];
-        is_name && !is_value && words(before).len() <= 1
+        is_name && !is_value && words(self.failures.written(), &(start..failure.at()), &[]).len() <= 1
     }
 
     /// Whether what is broken begins on a further line of something broken that has been told.
-    fn goes_on_a_broken_one<T>(&mut self, span: &Span, body: &mut Body<T>) -> bool {
-        let is_last = |before: &Broken| body.statements.last().is_none_or(|it| it.span.start < before.span.start);
-        let before = body.broken.last().filter(|before| is_last(before) && self.told_until == before.span.end);
-        if !before.is_some_and(|before| self.goes_on(&before.span, span)) {
-            return false;
-        }
-        let before = body.broken.last_mut().expect("it was there a line ago");
-        let words = words(&self.failures.text()[span.clone()]);
-        before.names.iter_mut().for_each(|names| names.extend(words.iter().map(|word| word.text.to_owned())));
-        before.span.end = span.end;
-        self.told_until = span.end;
-        true
+    fn goes_on_a_broken_one<T>(&self, span: &Span, body: &Body<T>) -> bool {
+        let is_behind = |before: &Broken| before.span.end == self.told.end;
+        let is_last = body.statements.last().is_none_or(|before| before.span.start < self.told.start);
+        body.broken.last().is_some_and(is_behind) && is_last && self.goes_on(&self.told, span)
     }
 
     /// Whether something stands on the line of what is before it, or on one that is indented more.
@@ -89,46 +94,22 @@ impl<'t> Builder<'_, 't> {
     }
 }
 
-struct Word<'t> {
-    text: &'t str,
-    /// Whether it stands in a block.
-    is_inside: bool,
-}
+/// The statements that hold others.
+const BLOCKS: [&str; 8] = ["machine", "controller", "branch", "dh", "error", "group", "once", "on"];
 
-/// The words of a text, without those of its comments and quoted texts.
-fn words(text: &str) -> Vec<Word<'_>> {
-    let mut words = Vec::new();
-    let (mut at, mut depth) = (0, 0_usize);
-    while let Some(first) = text[at..].chars().next() {
-        let rest = &text[at..];
-        let is_in_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
-        let length = match first {
-            '"' => rest[1..].find(['"', '\n']).map_or(rest.len(), |end| end + 2),
-            '/' if rest.starts_with("//") => rest.find('\n').unwrap_or(rest.len()),
-            c if is_in_word(c) => rest.find(|c| !is_in_word(c)).unwrap_or(rest.len()),
-            c => c.len_utf8(),
-        };
-        match first {
-            '{' => depth += 1,
-            '}' => depth = depth.saturating_sub(1),
-            c if is_in_word(c) => words.push(Word { text: &rest[..length], is_inside: depth > 0 }),
-            _ => {}
-        }
-        at += length;
-    }
-    words
-}
-
-/// The keywords of the statements that such words may be; `None` where the first of them is none, nor resembles one.
+/// The keywords of the statements that such words may be; `None` where the first of a line is none, nor resembles one, and
+/// where a block has none.
 fn keywords(rule: Rule, words: &[Word<'_>]) -> Option<Vec<String>> {
     let known = statements(rule);
-    let is_known = |word: &str| known.iter().any(|keyword| keyword == word);
     let mut meant: Vec<String> = Vec::new();
-    let (first, others) = words.split_first()?;
-    match is_known(first.text) {
-        true => meant.push(first.text.to_owned()),
-        false => meant.push(nearest(first.text, known.iter().map(String::as_str))?.to_owned()),
+    for word in words {
+        if word.is_inside {
+            meant.last().filter(|keyword| BLOCKS.contains(&keyword.as_str()))?;
+        } else if known.iter().any(|keyword| keyword == word.text) {
+            meant.push(word.text.to_owned());
+        } else if word.begins_line {
+            meant.push(nearest(word.text, known.iter().map(String::as_str))?.to_owned());
+        }
     }
-    meant.extend(others.iter().filter(|word| !word.is_inside && is_known(word.text)).map(|word| word.text.to_owned()));
-    Some(meant)
+    Some(meant).filter(|meant| !meant.is_empty())
 }

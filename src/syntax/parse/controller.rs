@@ -26,7 +26,7 @@ An `on` block says what is printed when something happens. What may happen:
 
 /// A group or a member of one that does not exist.
 pub static UNKNOWN_MEANING: Code = Code {
-    id: "E0111",
+    id: "E0115",
     title: "unknown meaning",
     explanation: "\
 What a text of a program can mean is a fixed list, in groups of which one member is in force at a time:

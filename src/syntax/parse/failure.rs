@@ -89,7 +89,7 @@ pub(super) struct Failure<'t> {
     rule: Rule,
     start: usize,
     /// How far the grammar gets.
-    pub(super) length: usize,
+    length: usize,
     /// What would fit there.
     pub(super) expected: Vec<Rule>,
     /// What stands there instead.
@@ -102,6 +102,11 @@ impl Failure<'_> {
     /// Whether no statement begins so.
     pub(super) fn is_unknown(&self) -> bool {
         self.length == 0
+    }
+
+    /// Where the grammar does not go on.
+    pub(super) fn at(&self) -> usize {
+        self.start + self.length
     }
 
     /// Whether what stands there was probably meant to go on the statement before it.
@@ -131,8 +136,14 @@ impl<'t> Failures<'t> {
         errors
     }
 
+    /// The text that is parsed.
     pub(super) fn text(&self) -> &'t str {
         &self.scan.text
+    }
+
+    /// The text as it was written.
+    pub(super) fn written(&self) -> &'t str {
+        self.text
     }
 
     pub(super) fn place(&self, span: &Span) -> Place {
@@ -168,7 +179,8 @@ impl<'t> Failures<'t> {
 
     /// Tells a failure of what ends at `end`, unless it is the consequence of something that the scan has told.
     pub(super) fn tell(&mut self, failure: &Failure<'t>, end: usize) {
-        let is_told = self.scan.wrong.iter().any(|at| (failure.start..end).contains(at));
+        let is_told =
+            self.scan.wrong.iter().any(|at| (failure.start..end).contains(at)) || self.is_behind_open(failure);
         // Behind a brace too many or too few, statements stand in the wrong block.
         let is_misplaced = failure.is_unknown() && !self.scan.unpaired.is_none() && elsewhere(&failure.found).is_some();
         if is_told || is_misplaced {
@@ -177,6 +189,13 @@ impl<'t> Failures<'t> {
         self.lacks_opening |= failure.expected.iter().any(|rule| is_opening(*rule));
         let diagnostic = self.diagnostic(failure);
         self.push(diagnostic);
+    }
+
+    /// Whether a `{` that is never closed, and what it opens, is to blame.
+    fn is_behind_open(&self, failure: &Failure<'t>) -> bool {
+        let at = failure.found.span.start;
+        let is_before = |open: &usize| *open <= at && self.text[*open..at].trim_start_matches('{').trim().is_empty();
+        self.scan.unpaired.open.iter().any(is_before)
     }
 
     fn diagnostic(&self, failure: &Failure<'t>) -> Diagnostic {

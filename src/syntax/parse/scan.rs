@@ -226,7 +226,7 @@ impl<'t> Scanner<'t> {
         let message = format!("the control character U+{:04X} does not belong in a machine file", character as u32);
         let span = at..at + character.len_utf8();
         self.error(&CONTROL_CHARACTER, message, span.clone(), "");
-        self.mended.push((span, b' '));
+        self.mended.push((span, NO_STATEMENT));
     }
 
     /// Up to the end of the line.
@@ -238,7 +238,7 @@ impl<'t> Scanner<'t> {
         self.at += line.len();
     }
 
-    /// Control characters in a part of a line.
+    /// Control characters in a comment or a text.
     fn controls(&mut self, start: usize, part: &str) {
         for (at, control) in part.char_indices().filter(|(_, c)| c.is_control() && *c != '\t') {
             self.control(start + at, control);
@@ -251,11 +251,7 @@ impl<'t> Scanner<'t> {
         let mut characters = self.text[start + 1..].char_indices().map(|(at, c)| (start + 1 + at, c));
         while let Some((at, character)) = characters.next() {
             match character {
-                '"' => {
-                    self.controls(start, &self.text[start..at]);
-                    self.at = at + 1;
-                    return;
-                }
+                '"' => return self.ended(start, at + 1),
                 '\\' => match characters.next() {
                     Some((_, '"' | '\\')) => {}
                     Some((_, '\n' | '\r')) | None => break,
@@ -266,6 +262,15 @@ impl<'t> Scanner<'t> {
             }
         }
         self.unterminated(start);
+    }
+
+    /// A text with its closing quote. With something wrong in it, nobody knows what it says.
+    fn ended(&mut self, start: usize, end: usize) {
+        self.controls(start, &self.text[start..end]);
+        if self.wrong.last().is_some_and(|wrong| *wrong > start) {
+            self.mended.push((start..end, NO_STATEMENT));
+        }
+        self.at = end;
     }
 
     /// A text up to the end of its line, but for braces there that close what was opened before.
@@ -292,7 +297,6 @@ impl<'t> Scanner<'t> {
         };
         let message = "a backslash stands only before a quote or another backslash";
         self.push(at, Diagnostic::error(&UNKNOWN_ESCAPE, message).at(place, "").suggest(suggestion));
-        self.mended.push((at..at + 1, b'/'));
     }
 
     fn opened(&mut self) {
@@ -333,7 +337,11 @@ impl<'t> Scanner<'t> {
 
     fn finish(mut self) -> Scan<'t> {
         let unpaired = unpaired(&self.marks);
-        self.mended.extend(unpaired.surplus.iter().map(|at| (*at..at + 1, b' ')));
+        for at in &unpaired.surplus {
+            let is_inside = goes_on(&self.text[at + 1..]);
+            self.wrong.extend(is_inside.then_some(*at));
+            self.mended.push((*at..at + 1, if is_inside { NO_STATEMENT } else { b' ' }));
+        }
         for gaps in unpaired.missing.chunk_by(|a, b| a == b) {
             let Span { start, end } = gaps[0];
             self.mended.extend([(start..end, b' '), (end - gaps.len()..end, b'}')]);
@@ -347,6 +355,12 @@ impl<'t> Scanner<'t> {
             unpaired,
         }
     }
+}
+
+/// Whether a line has more than braces, blanks and a comment.
+fn goes_on(line: &str) -> bool {
+    let rest = line.trim_start_matches([' ', '\t', '\r', '{', '}']);
+    !rest.is_empty() && !rest.starts_with('\n') && !rest.starts_with("//")
 }
 
 /// A character with which no statement can begin, nor go on.
