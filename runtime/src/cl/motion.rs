@@ -33,6 +33,9 @@ one is missing, so the frame is taken as unchanged. If it should have changed, m
 ",
 };
 
+/// The tool axis in a frame, as long as no record gives one.
+const ALONG_Z: Vec3 = [0.0, 0.0, 1.0];
+
 /// What a record came to.
 #[derive(Debug)]
 pub(super) enum Moved {
@@ -69,7 +72,7 @@ impl Motion {
             chord_tolerance_mm,
             placement: Placement::default(),
             tip_mm: None,
-            axis: [0.0, 0.0, 1.0],
+            axis: ALONG_Z,
             home_mm: None,
             circle: None,
             once: Once::default(),
@@ -153,7 +156,7 @@ impl Motion {
         Ok(Point { tip_mm, axis, approach: Approach::Rapid, line: record.last_line() })
     }
 
-    /// `MSYS/ox,oy,oz,xx,xy,xz,yx,yy,yz`.
+    /// `MSYS/ox,oy,oz,xx,xy,xz,yx,yy,yz`. The tool axis is its Z until a record gives another.
     pub(super) fn frame(&mut self, record: &Record) -> Result<(), Diagnostic> {
         if record.len() != 9 {
             let message = format!("MSYS has {} numbers instead of 9 and is left out", record.len());
@@ -165,6 +168,7 @@ impl Motion {
             error.at(record.place_of_all(), "X and Y are parallel, or one of them is zero")
         })?;
         self.placement.set(frame);
+        self.axis = self.placement.direction(ALONG_Z);
         Ok(())
     }
 }
