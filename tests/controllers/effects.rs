@@ -91,6 +91,12 @@ fn every_other_block_does_what_its_event_says_and_no_more() {
         (r#"on dwell { "G4 P{milliseconds}" "M9" }"#, "switches the coolant otherwise than it says"),
         (r#"on spindle clockwise { "S{speed} M4" }"#, "turning counterclockwise"),
         (r#"on spindle clockwise { "M3" }"#, "turning clockwise at 500"),
+        (r#"on coolant mist { }"#, "switches the coolant otherwise than it says"),
+        (r#"on stop { "M0" "G49" }"#, "leaves another length of the tool in force"),
+        (r#"on operation { "G43 H2" }"#, "leaves another length of the tool in force"),
+        (r#"on rapid { "G0 {axes} G49" }"#, "leaves another length of the tool in force"),
+        (r#"on stop { "M0" "G55" }"#, "leaves another work offset in force"),
+        (r#"offset 2 on stop { "M0" "G54" }"#, "leaves another work offset in force"),
         (r#"on coolant flood { "M7" }"#, "switches the coolant otherwise than it says"),
         (r#"on end { "M9" }"#, "there should be the end of the program"),
         (r#"on start { "G17 {units} {feed_mode}" }"#, "does not say that words are absolute"),
@@ -125,8 +131,20 @@ fn units_of_another_program_are_refused() {
 }
 
 #[test]
+fn every_motion_is_read_back_with_a_tool() {
+    let words = "the text of this motion cannot be read back";
+    let code = r#"plain "CYCLE832(0.1)""#;
+    for block in ["on rapid { \"G0 {axes} CYCLE832(0.1)\" }", "on approach { \"G0 {axes} CYCLE832(0.1) D{register}\" }"]
+    {
+        assert_refused("siemens", &format!("{code} {block}"), "E0530", words);
+    }
+}
+
+#[test]
 fn a_declared_code_may_stand() {
     assert_eq!(told("syntec", r#"plain "M11" "C unclamped" on tool { "T{tool} M6 M11" }"#), []);
+    assert_eq!(told("syntec", r#"offset 2 on stop { "M0" "{offset}" }"#), []);
+    assert_eq!(told("syntec", r#"on approach { "G0 G43 H{register} {axes}" }"#), []);
     assert_eq!(told("syntec", ""), []);
     assert_eq!(told("siemens", ""), []);
 }

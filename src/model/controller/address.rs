@@ -40,6 +40,13 @@ pub(super) struct Address<'a> {
     span: &'a Span,
 }
 
+impl<'a> Address<'a> {
+    /// Without the sign behind it.
+    fn bare(&self) -> &'a str {
+        self.text.trim_end_matches('=')
+    }
+}
+
 /// Checks every address that is said, and that those of the machine's words and of the sequence numbers differ.
 pub(super) fn check(lowering: &mut Lowering<'_>, axes: &[ControlledAxis<'_>]) {
     for (index, statement) in lowering.statements() {
@@ -53,7 +60,9 @@ pub(super) fn check(lowering: &mut Lowering<'_>, axes: &[ControlledAxis<'_>]) {
             _ => {}
         }
     }
-    report_shared(lowering, &in_programs(lowering, axes));
+    let mut addresses = in_programs(lowering, axes);
+    addresses.extend(read_only(lowering, axes));
+    report_shared(lowering, &addresses);
 }
 
 /// Checks an address as it was said.
@@ -103,21 +112,38 @@ pub(super) fn in_programs<'a>(lowering: &Lowering<'a>, axes: &[ControlledAxis<'a
         index,
         span: &text.span,
     });
-    let word = |name, whose| {
-        let said = Said::last(lowering, name)?;
-        Some(Address { whose, text: said.address(), index: said.index, span: said.address_span() })
-    };
-    let feeds = [FEED, FEED_PER_REVOLUTION].into_iter().filter_map(|name| word(name, "the feed"));
-    let axes = axes.iter().filter_map(|axis| word(axis.name, axis.name));
+    let feeds = [FEED, FEED_PER_REVOLUTION].into_iter().filter_map(|name| of_a_word(lowering, name, "the feed"));
+    let axes = axes.iter().filter_map(|axis| of_a_word(lowering, axis.name, axis.name));
     let is_right = |address: &Address<'_>| is_readable(address.text) && !is_the_controls(address.text);
     sequence.into_iter().chain(feeds).chain(axes).filter(is_right).collect()
+}
+
+/// The other words that a control reads, and whose they are.
+const READ_ONLY: [(&str, &str); 6] = [
+    ("S", "the spindle's speed"),
+    ("T", "the tool's number"),
+    ("I", "the arc's centre I"),
+    ("J", "the arc's centre J"),
+    ("K", "the arc's centre K"),
+    ("R", "the arc's radius"),
+];
+
+/// The addresses of words that no placeholder prints, but a control reads; an axis of the same name takes their place.
+fn read_only<'a>(lowering: &Lowering<'a>, axes: &[ControlledAxis<'_>]) -> Vec<Address<'a>> {
+    let others = READ_ONLY.into_iter().filter(|(name, _)| axes.iter().all(|axis| axis.name != *name));
+    others.filter_map(|(name, whose)| of_a_word(lowering, name, whose)).collect()
+}
+
+fn of_a_word<'a>(lowering: &Lowering<'a>, name: &str, whose: &'a str) -> Option<Address<'a>> {
+    let said = Said::last(lowering, name)?;
+    Some(Address { whose, text: said.address(), index: said.index, span: said.address_span() })
 }
 
 /// Reports an address that stands for two things.
 fn report_shared(lowering: &mut Lowering<'_>, addresses: &[Address<'_>]) {
     let mut first: BTreeMap<&str, &Address<'_>> = BTreeMap::new();
     for address in addresses {
-        let bare = address.text.trim_end_matches('=');
+        let bare = address.bare();
         let other = *first.entry(bare).or_insert(address);
         if other.whose != address.whose {
             let message = format!("{} and {} have the same address `{bare}`", other.whose, address.whose);
@@ -133,7 +159,8 @@ fn report_shared(lowering: &mut Lowering<'_>, addresses: &[Address<'_>]) {
 /// anything.
 const ARGUMENTS: [&str; 10] = ["A", "B", "C", "F", "U", "V", "W", "X", "Y", "Z"];
 
-/// Reports the number of a tool, of a register or of a speed behind an address that stands for something else.
+/// Reports the number of a tool, of a register or of a speed behind an address that stands for something else, and is not told
+/// already.
 pub(super) fn check_number(
     lowering: &mut Lowering<'_>,
     scene: &Scene<'_>,
@@ -142,8 +169,9 @@ pub(super) fn check_number(
 ) {
     let (TemplatePiece::Text(text), TemplatePiece::Placeholder { name, .. }) = (left, &right.value) else { return };
     let Some(Meaning::Value(Value::Tool | Value::Register | Value::Speed)) = Meaning::of(name) else { return };
-    let addresses = in_programs(lowering, scene.axes);
-    let mut others = addresses.iter().filter(|address| !ARGUMENTS.contains(&address.text));
+    let (addresses, told) = (in_programs(lowering, scene.axes), read_only(lowering, scene.axes));
+    let is_told = |address: &Address<'_>| told.iter().any(|told| told.bare() == address.bare());
+    let mut others = addresses.iter().filter(|address| !ARGUMENTS.contains(&address.text) && !is_told(address));
     if let Some(address) = others.find(|address| ends_with(text, address.text)) {
         let message = format!("`{{{name}}}` behind `{}` would be a number of {}", address.text, address.whose);
         let diagnostic = Diagnostic::error(&BAD_ADDRESS, message)

@@ -6,7 +6,7 @@ use mach_runtime::cl::event::{Approach, Feed};
 use mach_runtime::diagnostic::Code;
 use mach_runtime::machine::{Axis, Motion, Rule, Travel, Written};
 use mach_runtime::nc::dialect::{Dialect, Trigger};
-use mach_runtime::nc::writer::Writer;
+use mach_runtime::nc::writer::{LoadedTool, Writer};
 use mach_runtime::readback::ReadBack;
 use mach_runtime::unit::LengthUnit;
 
@@ -51,7 +51,9 @@ fn unreadable(dialect: &Dialect, approach: Approach) -> Option<String> {
     let axes: Vec<Axis> = dialect.axes.iter().map(|word| any_axis(&word.name)).collect();
     let joints = vec![0.5; axes.len()];
     let mut text = Vec::new();
-    Writer::new(dialect.clone(), &axes).motion(approach, &joints, 0.0, &mut text).ok()?;
+    let mut writer = Writer::new(dialect.clone(), &axes);
+    writer.load(LoadedTool { number: 1, register: 1 });
+    writer.motion(approach, &joints, 0.0, &mut text).ok()?;
     let unreadable = ReadBack::new(dialect, &axes, 0.0).read(&text, 0..text.len()).is_err();
     unreadable.then(|| String::from_utf8_lossy(&text).into_owned())
 }

@@ -10,6 +10,7 @@ use mach_runtime::nc::dialect::{Dialect, Trigger};
 /// What is wrong with what a block has done.
 pub(super) fn judge(run: &Run, dialect: &Dialect, table: &Table, trigger: Trigger) -> Option<String> {
     left_behind(run, dialect, table, trigger)
+        .or_else(|| shifted(run, trigger))
         .or_else(|| events(run, trigger))
         .or_else(|| if trigger.is_motion() { motion(run, dialect, trigger) } else { no_motion(run, trigger) })
         .or_else(|| switched(run, trigger))
@@ -41,6 +42,19 @@ fn left_behind(run: &Run, dialect: &Dialect, table: &Table, trigger: Trigger) ->
         return Some("leaves a function of the control on that the writer does not know of".to_owned());
     }
     None
+}
+
+/// What words count from is changed only where a program begins or ends, an operation or a tool; a tool's length comes into
+/// force on its approach.
+fn shifted(run: &Run, trigger: Trigger) -> Option<String> {
+    use Trigger::{Approach, ApproachFeed, End, Operation, Start, Tool};
+    let (before, after) = (&run.before.state, &run.after.state);
+    if before.offset != after.offset && !matches!(trigger, Start | Operation | Tool | End) {
+        return Some("leaves another work offset in force".to_owned());
+    }
+    let is_as_long = before.length_register == after.length_register;
+    (!is_as_long && !matches!(trigger, Start | Tool | Approach | ApproachFeed | End))
+        .then(|| "leaves another length of the tool in force".to_owned())
 }
 
 fn events(run: &Run, trigger: Trigger) -> Option<String> {

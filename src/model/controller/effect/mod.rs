@@ -45,6 +45,7 @@ blocks after it do not know of:
     on feed { \"{axes} {feed}\" }           // whatever motion was in force
     on feed { \"G1 {axes} ({feed})\" }      // the feed is in a comment
     on stop { \"M0\" \"G91\" }               // the rest of the program would be incremental
+    on stop { \"M0\" \"G49\" }               // the rest would be without the tool's length
     on rapid { \"G0 {axes} F3000\" }        // the next cut would take this feed
 
 A block that is no motion may move an axis only by `{retract}` in machine coordinates, and only at the program's start and end,

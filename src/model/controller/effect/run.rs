@@ -1,6 +1,6 @@
 //! What a block does, run on the control's model.
 
-use super::sample::START;
+use super::sample::{START, TOOL};
 use mach_runtime::control::{Control, Modal};
 use mach_runtime::dialect::meaning::{Coolant, Distance, FeedMode, Plane, Spindle};
 use mach_runtime::dialect::table::Table;
@@ -30,7 +30,9 @@ pub(super) fn run(
 ) -> Result<Run, String> {
     let mut control = Control::new(table, axes, ToolGeometry::of_length(0.0));
     if trigger != Trigger::Start {
-        control.set_modal(usual(dialect));
+        control.set_modal(usual(dialect, trigger));
+        // An offset that cannot be read is told where a block prints it.
+        let _ = control.run(&dialect.offset, 0, &mut Motion::new(axes.len()));
         control.stand_at(&vec![START; axes.len()]);
     }
     let before = control.modal().clone();
@@ -47,8 +49,9 @@ pub(super) fn run(
     Ok(Run { before, after: control.modal().clone(), motion, joints_at_end })
 }
 
-/// What is in force in the middle of a program, with everything on that a block could switch off.
-fn usual(dialect: &Dialect) -> Modal {
+/// What is in force in the middle of a program, with everything on that a block could switch off, and off that it switches on.
+fn usual(dialect: &Dialect, trigger: Trigger) -> Modal {
+    let coolant = if trigger == Trigger::CoolantMist { Coolant::Flood } else { Coolant::Mist };
     Modal {
         plane: Some(Plane::Xy),
         distance: Some(Distance::Absolute),
@@ -58,11 +61,10 @@ fn usual(dialect: &Dialect) -> Modal {
         called_tool: Some(3),
         state: State {
             tool: Some(3),
-            length_register: None,
-            offset: Some(1),
+            length_register: Some(TOOL as u32),
             spindle: Spindle::Clockwise,
             speed_rpm: 500.0,
-            coolant: Coolants::OFF.with(Coolant::Mist),
+            coolant: Coolants::OFF.with(coolant),
             ..State::default()
         },
         ..Modal::default()
