@@ -6,7 +6,6 @@
 
 use mach_runtime::cl::event::Point;
 use mach_runtime::cl::{Next, Reader, ReaderOptions};
-use mach_runtime::diagnostic::Severity;
 use mach_runtime::kinematics::Kinematics;
 use mach_runtime::path::PathSolver;
 use machc::compile::Compiled;
@@ -145,14 +144,4 @@ fn the_joints_of_the_impeller_are_the_published_ones() {
             assert!((found - published).abs() <= 2e-4, "{name}: {found} is not {published}");
         }
     }
-}
-
-/// As the sine surface's MSYS was printed.
-#[test]
-fn an_msys_of_eight_numbers_is_a_warning() {
-    let machine = machine::compiled("machines/tmv710a.mach", &machine::Files);
-    let posted = program::posted(&machine, "tests/goldens/eight_numbers.cls");
-    let [warning] = posted.diagnostics.as_slice() else { panic!("{:?}", posted.diagnostics) };
-    assert_eq!((warning.code.id, warning.severity), ("W1001", Severity::Warning));
-    assert!(posted.certificate.is_some());
 }

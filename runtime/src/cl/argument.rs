@@ -15,6 +15,9 @@ The record needs other arguments than it has. A GOTO takes three numbers (the ti
 
     GOTO/10.0,20.0,30.0
     GOTO/10.0,20.0,30.0,0.0,0.0,1.0
+
+An MSYS takes nine: the origin, the direction of X, the direction of Y. With another number of them nobody knows which one is
+missing, and where the points behind it are.
 ",
 };
 

@@ -47,7 +47,6 @@ pub static CODES: &[&Code] = &[
     &circle::OPEN_ARC,
     &circle::TILTING_ARC,
     &motion::FLAT_FRAME,
-    &motion::ODD_FRAME,
     &pose::NOT_UNIT,
     &setting::MIXED_UNITS,
     &setting::OTHER_UNITS,

@@ -23,16 +23,6 @@ parallel:
 ",
 };
 
-/// An MSYS with another number of numbers.
-pub(super) static ODD_FRAME: Code = Code {
-    id: "W1001",
-    title: "an MSYS without nine numbers is left out",
-    explanation: "\
-MSYS has nine numbers: the origin, the direction of X, the direction of Y. With another number of them nobody knows which
-one is missing, so the frame is taken as unchanged. If it should have changed, mend the record.
-",
-};
-
 /// The tool axis in a frame, as long as no record gives one.
 const ALONG_Z: Vec3 = [0.0, 0.0, 1.0];
 
@@ -159,8 +149,7 @@ impl Motion {
     /// `MSYS/ox,oy,oz,xx,xy,xz,yx,yy,yz`. The tool axis is its Z until a record gives another.
     pub(super) fn frame(&mut self, record: &Record) -> Result<(), Diagnostic> {
         if record.len() != 9 {
-            let message = format!("MSYS has {} numbers instead of 9 and is left out", record.len());
-            return Err(Diagnostic::warning(&ODD_FRAME, message).at(record.place_of_all(), "origin, X, Y: 9 numbers"));
+            return Err(record.missing(9, "expected 9 numbers: the origin, the directions of X and of Y"));
         }
         let origin_mm = scale(self.unit_mm, record.numbers(0)?);
         let frame = Frame::new(origin_mm, record.numbers(3)?, record.numbers(6)?).ok_or_else(|| {
