@@ -16,9 +16,10 @@ mod tmv710a;
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
-use mach_runtime::cl::{Next, Reader, ReaderOptions};
+use mach_runtime::cl::{Next, Reader};
 use mach_runtime::kinematics::{Kinematics, LANES, PoseBlock, Rate, SolutionBlock, rates};
 use mach_runtime::machine::ToolGeometry;
+use mach_runtime::rig::reader_options;
 use mach_runtime::segment::Segments;
 use machc::compile::{Compiled, compile};
 use machc::model::tables;
@@ -139,7 +140,7 @@ fn read_cl(bencher: Bencher<'_, '_>) {
     let text = sine_cl::records(RECORDS);
     let tables = machine_tables();
     bencher.counter(ItemsCount::new(RECORDS)).bench_local(|| {
-        let mut reader = Reader::new("sine.cls", text.as_bytes(), ReaderOptions::of(&tables));
+        let mut reader = Reader::new("sine.cls", text.as_bytes(), reader_options(&tables));
         let mut points = Vec::new();
         while reader.next_into(&mut points, LANES).expect("memory can be read") != Next::End {
             points.clear();

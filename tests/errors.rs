@@ -1,9 +1,8 @@
 //! Measured errors: the forward chain against one of its own, and the compensation of machines at random.
 
 use mach_runtime::compensation::Compensated;
-use mach_runtime::error_table::{Component, ErrorTable};
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Miss, Outcome, PoseBlock, SolutionBlock, Tolerances};
-use mach_runtime::machine::{Motion, ToolGeometry};
+use mach_runtime::machine::{Component, ErrorTable, Motion, ToolGeometry};
 use mach_runtime::vector::{angle_rad, cross, norm, sub};
 use machc::compile::Compiled;
 use machc::derive::derive;

@@ -1,7 +1,7 @@
 //! Names and texts from elsewhere, whatever bytes they have, change no block of a program: they stay in their comments.
 
-use mach_runtime::cl::{Reader, ReaderOptions};
-use mach_runtime::rig::Rig;
+use mach_runtime::cl::Reader;
+use mach_runtime::rig::{Rig, reader_options};
 use machc::plan::Interpreter;
 use machc::sources::Sources;
 use proptest::collection::vec;
@@ -76,7 +76,7 @@ fn posted(rig: &Rig<Interpreter>, foreign: &Foreign) -> Result<String, String> {
     let tool_path = [b"TOOL PATH/", &operation[..], b",TOOL,", tool, b"\nLOAD/TOOL,1\nSPINDL/RPM,100,CLW\n"].concat();
     let motions = b"FEDRAT/MMPM,100\nGOTO/0,0,5,0,0,1\nGOTO/0,0,1\nEND-OF-PATH\n";
     let cl = [&tool_path[..], b"PPRINT/", text, b"\n", motions].concat();
-    let reader = Reader::new("part.cls", &cl[..], ReaderOptions::of(&rig.machine));
+    let reader = Reader::new("part.cls", &cl[..], reader_options(&rig.machine));
     let (mut nc, mut told) = (Vec::new(), Vec::new());
     let mut tell = |diagnostic| told.push(diagnostic);
     let certificate = rig.post(("part.cls", program), reader, &mut nc, NonZeroUsize::MIN, &mut tell);

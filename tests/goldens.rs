@@ -5,9 +5,10 @@
 //! and the NC of a table-tilting machine all of whose axes move the workpiece, good to 2e-4.
 
 use mach_runtime::cl::event::Point;
-use mach_runtime::cl::{Next, Reader, ReaderOptions};
+use mach_runtime::cl::{Next, Reader};
 use mach_runtime::kinematics::Kinematics;
 use mach_runtime::path::PathSolver;
+use mach_runtime::rig::reader_options;
 use machc::compile::Compiled;
 use machc::model::tables;
 use machc::plan::Interpreter;
@@ -44,7 +45,7 @@ fn solved(Compiled { model, plan, .. }: &Compiled, cl: &str) -> (Vec<Row>, Vec<P
     let mut kinematics = Interpreter::new(plan);
     let mut path = PathSolver::new(&tables, &mut kinematics);
     let text = fs::read(machine::root().join(cl)).expect("readable");
-    let mut reader = Reader::new(cl, text.as_slice(), ReaderOptions::of(&tables));
+    let mut reader = Reader::new(cl, text.as_slice(), reader_options(&tables));
     let (mut points, mut rows, mut all) = (Vec::new(), Vec::new(), Vec::new());
     loop {
         points.clear();

@@ -8,10 +8,10 @@ mod program;
 #[path = "common/stems.rs"]
 mod stems;
 
-use mach_runtime::error_table::{Component, ErrorTable};
 use mach_runtime::kinematics::{
     JointBlock, Kinematics, LANES, Lane, Miss, Outcome, PoseBlock, SolutionBlock, Tolerances,
 };
+use mach_runtime::machine::{Component, ErrorTable};
 use mach_runtime::vector::{Vec3, angle_rad, norm, sub};
 use machc::compile::Compiled;
 use machc::derive::derive;

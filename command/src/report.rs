@@ -1,6 +1,7 @@
 //! What is said to the user, on standard error: for people, or as JSON lines for tools.
 
 use std::io::{IsTerminal, Write, stderr, stdout};
+use std::process::ExitCode;
 
 use clap::ValueEnum;
 use mach_runtime::certificate::Certificate;
@@ -119,11 +120,23 @@ impl Report {
     }
 
     /// Tells what went wrong outside the input.
-    pub fn failure(&self, failure: &Failure) {
+    fn failure(&self, failure: &Failure) {
         if self.json {
             self.line(&json::Failure::new(&failure.0));
         } else {
             say(&format!("error: {}\n", failure.0));
+        }
+    }
+
+    /// Tells a failure, and gives the exit status.
+    pub fn exit_code(&self, outcome: Result<Status, Failure>) -> ExitCode {
+        match outcome {
+            Ok(Status::Done) => ExitCode::SUCCESS,
+            Ok(Status::Refused) => ExitCode::from(1),
+            Err(failure) => {
+                self.failure(&failure);
+                ExitCode::from(2)
+            }
         }
     }
 

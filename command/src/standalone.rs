@@ -6,7 +6,6 @@ use clap::{CommandFactory, FromArgMatches};
 use mach_runtime::kinematics::Kinematics;
 use mach_runtime::rig::Rig;
 
-use crate::outcome::exit_code;
 use crate::post::{PostOptions, post};
 use crate::report::{Report, ReportOptions};
 
@@ -33,5 +32,5 @@ pub fn run<K: Kinematics + Clone + Send>(name: &'static str, rig: Rig<K>) -> Exi
     let matches = command.get_matches();
     let arguments = Arguments::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     let report = Report::new(arguments.report);
-    exit_code(post(rig, &arguments.post, &report), &report)
+    report.exit_code(post(rig, &arguments.post, &report))
 }

@@ -5,7 +5,9 @@ use std::io::Read;
 use clap::ValueEnum;
 use mach_runtime::cl::{Reader, ReaderOptions, quote};
 use mach_runtime::diagnostic::Diagnostic;
-use mach_runtime::machine::{Machine, ToolGeometry};
+use mach_runtime::machine::Machine;
+use mach_runtime::rig::reader_options;
+use mach_runtime::tool::ToolGeometry;
 use mach_runtime::unit::LengthUnit;
 
 use crate::files::{open, reopened, shown};
@@ -47,7 +49,7 @@ impl Options {
                 Unit::Mm => LengthUnit::Millimetre,
                 Unit::Inch => LengthUnit::Inch,
             },
-            ..ReaderOptions::of(machine)
+            ..reader_options(machine)
         };
         Ok(Reader::new(shown(cl), watched(input, bytes, report), options))
     }

@@ -4,9 +4,9 @@
 //! little from that; the pose that is asked of the closed form is moved by this difference the other way, and again, until
 //! nothing changes. An error of 10 µm and 20 µrad shrinks by about a thousand each time.
 
-use crate::error_table::ErrorTable;
 use crate::kinematics::{JointBlock, Kinematics, LANES, Lane, Miss, Pole, PoseBlock, SolutionBlock};
-use crate::machine::{Machine, Motion, ToolGeometry};
+use crate::machine::{ErrorTable, Machine, Motion};
+use crate::tool::ToolGeometry;
 use crate::vector::{Vec3, add, angle_rad, cross, dot, norm, scale, sub};
 
 /// Two poses closer than this are the same: half of what a machine is proved to.

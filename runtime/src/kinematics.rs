@@ -8,7 +8,7 @@ pub use outcome::{Miss, Outcome, Pole, Tolerances};
 pub use rates::{Rate, rates};
 pub use solution::{Margins, SolutionBlock, held};
 
-use crate::machine::ToolGeometry;
+use crate::tool::ToolGeometry;
 use crate::vector::Vec3;
 
 /// How many poses are solved at once.

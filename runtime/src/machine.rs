@@ -1,13 +1,14 @@
 //! What a post knows of its machine, apart from its inverse: axes, travel, written range, policies, the chain.
 
 mod chain;
-mod tool;
+mod error_table;
 
 pub(crate) use chain::turned;
 pub use chain::{Chain, Joint};
-pub use tool::ToolGeometry;
+pub use error_table::{Component, ErrorTable};
 
-use crate::error_table::ErrorTable;
+pub use crate::strictness::Strictness;
+pub use crate::tool::ToolGeometry;
 
 /// One machine axis. A linear joint value is in millimetres, a rotary one in degrees, both in machine
 /// coordinates: zero where the machine file's frame has the axis at zero.
@@ -142,15 +143,6 @@ pub enum Preference {
     Negative(usize),
     /// The least sum of rotary travel from the previous position.
     Nearest,
-}
-
-/// What to do with input that asks for a decision.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Strictness {
-    /// Refuse it.
-    Error,
-    /// Take it and say so.
-    Warn,
 }
 
 /// How one of the candidates is chosen at each point.

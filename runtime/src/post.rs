@@ -3,6 +3,7 @@
 mod between;
 mod checker;
 mod in_force;
+mod job;
 mod pipeline;
 mod printer;
 mod refusal;
@@ -12,32 +13,19 @@ use crate::certificate::Certificate;
 use crate::cl::Reader;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::kinematics::Kinematics;
-use crate::machine::Machine;
-use crate::nc::dialect::Dialect;
 use checker::Checker;
 use pipeline::Pipeline;
 use printer::Printer;
 use std::io::{self, Read, Write};
 use std::num::NonZeroUsize;
 
+pub(crate) use job::Job;
+
 pub use between::OFF_THE_LINE;
 pub use refusal::{
     INSIDE_DEAD_RADIUS, NO_FEED_RATE, NOT_COMPENSATED, OFF_PLANE, OUT_OF_REACH, OUT_OF_TRAVEL, REPOSITION,
     REPOSITION_WARNING, SINGULAR, SPINDLE_STANDS, TOO_MANY_ERRORS,
 };
-
-/// What is posted, and for whom.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Job<'a> {
-    /// The CL file as the user named it.
-    pub(crate) file: &'a str,
-    /// The program's name.
-    pub(crate) program: &'a str,
-    /// The machine.
-    pub(crate) machine: &'a Machine,
-    /// Its controller.
-    pub(crate) dialect: &'a Dialect,
-}
 
 /// See [`crate::rig::Rig::post`].
 pub(crate) fn post<R: Read, K: Kinematics + Clone + Send>(

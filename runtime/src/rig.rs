@@ -11,6 +11,15 @@ use std::io::{self, Read, Write};
 use std::num::NonZeroUsize;
 use std::path::Path;
 
+/// How a CL file is read that is posted for this machine.
+pub fn reader_options(machine: &Machine) -> ReaderOptions {
+    ReaderOptions {
+        chord_tolerance_mm: machine.chord_tolerance_mm,
+        unknown_records: machine.unknown_records,
+        ..ReaderOptions::default()
+    }
+}
+
 /// A machine, who solves for it, and how its controller wants to be written to.
 #[derive(Debug, Clone)]
 pub struct Rig<K> {
@@ -68,7 +77,7 @@ impl<K: Kinematics + Clone + Send> Rig<K> {
     /// See [`Self::post`].
     pub fn post_text_by(&self, file: &str, cl: &[u8], threads: NonZeroUsize) -> Posted {
         let program = Path::new(file).file_stem().and_then(|stem| stem.to_str()).unwrap_or(&self.machine.name);
-        let reader = Reader::new(file, cl, ReaderOptions::of(&self.machine));
+        let reader = Reader::new(file, cl, reader_options(&self.machine));
         let (mut nc, mut diagnostics) = (Vec::new(), Vec::new());
         let mut tell = |diagnostic| diagnostics.push(diagnostic);
         let certificate = self

@@ -11,7 +11,8 @@
 //!   derivative and of the square of the time, and no point of that line is farther off than its ends.
 
 use crate::kinematics::{JointBlock, LANES, Lane};
-use crate::machine::{Chain, Joint, Motion, ToolGeometry};
+use crate::machine::{Chain, Joint, Motion};
+use crate::tool::ToolGeometry;
 use crate::vector::{Vec3, add, dot, norm, scale, sub};
 
 /// The greatest of |t (t - 1/2) (t - 1)| / 6 between 0 and 1, √3/216: what the third derivative adds to the parabola.

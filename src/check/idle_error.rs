@@ -2,8 +2,7 @@
 
 use crate::diagnostic::{Code, Diagnostic};
 use crate::model::draft::{Draft, ErrorDraft, Measured};
-use mach_runtime::error_table::Component;
-use mach_runtime::machine::Motion;
+use mach_runtime::machine::{Component, Motion};
 use nalgebra::Vector3;
 
 /// An error without any effect on where its axis lies.

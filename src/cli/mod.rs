@@ -24,7 +24,6 @@ mod workspace;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use mach_command::outcome::exit_code;
 use mach_command::report::{Report, ReportOptions};
 
 /// A compiler for machine tools.
@@ -79,5 +78,5 @@ pub(crate) fn run() -> ExitCode {
         Command::CompareSolvers(arguments) => compare_solvers::run(arguments, &report),
         Command::Explain(arguments) => explain::run(arguments),
     };
-    exit_code(outcome, &report)
+    report.exit_code(outcome)
 }

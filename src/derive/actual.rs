@@ -9,7 +9,7 @@
 use super::chain::{Chain, Element};
 use super::symbolic::{Turn, Vector, add, constant, scale, sub};
 use crate::plan::{Graph, Id, Inputs};
-use mach_runtime::error_table::Component;
+use mach_runtime::machine::Component;
 use nalgebra::Vector3;
 
 /// Tip and tool axis, from the tool outwards through the joints.

@@ -4,8 +4,7 @@ use super::symbolic::Vector;
 use crate::model::errors::AxisLine;
 use crate::model::machine::{Model, ModelJoint};
 use crate::plan::{Graph, Id};
-use mach_runtime::error_table::Component;
-use mach_runtime::machine::{Motion, Rule};
+use mach_runtime::machine::{Component, Motion, Rule};
 use nalgebra::Vector3;
 
 /// One joint. A primed joint enters with the opposite sense: the element's value is minus the joint's.

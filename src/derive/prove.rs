@@ -5,7 +5,8 @@ use crate::model::machine::{Model, ModelAxis};
 use crate::plan::{Interpreter, Plan};
 use mach_runtime::diagnostic::{Code, Diagnostic};
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, PoseBlock, SolutionBlock};
-use mach_runtime::machine::{Motion, Rule, ToolGeometry};
+use mach_runtime::machine::{Motion, Rule};
+use mach_runtime::tool::ToolGeometry;
 use mach_runtime::vector::{angle_rad, norm, sub};
 
 /// E0601.

@@ -4,9 +4,8 @@ use super::listing::{Argument, Function, Input, Output, Remark};
 use crate::compile::Compiled;
 use crate::model::machine::ModelAxis;
 use crate::plan::{AXIS_INPUT, Id, InverseOutput, JOINT_INPUT, TIP_INPUT, TOOL_LENGTH_INPUT};
-use mach_runtime::error_table::ErrorTable;
 use mach_runtime::kinematics::Pole;
-use mach_runtime::machine::Motion;
+use mach_runtime::machine::{ErrorTable, Motion};
 
 /// A vector's coordinates: names in code, and what people write.
 type Coordinates = [(&'static str, &'static str); 3];

@@ -7,9 +7,9 @@
 use crate::model::class;
 use crate::model::errors::LocationError;
 use crate::model::machine::{Model, ModelAxis, ModelJoint};
-use mach_runtime::error_table::{Component, ErrorTable};
-use mach_runtime::machine::{Motion, Preference, Rule, Strictness, Travel, Written};
+use mach_runtime::machine::{Component, ErrorTable, Motion, Preference, Rule, Travel, Written};
 use mach_runtime::nc::dialect::{Dialect, Word};
+use mach_runtime::strictness::Strictness;
 use mach_runtime::unit::LengthUnit;
 use nalgebra::Vector3;
 use serde::Serialize;

@@ -4,8 +4,7 @@ use super::data_sheet::vector;
 use crate::model::errors::LocationError;
 use crate::model::machine::Model;
 use crate::model::number::number;
-use mach_runtime::error_table::{Component, ErrorTable};
-use mach_runtime::machine::Motion;
+use mach_runtime::machine::{Component, ErrorTable, Motion};
 
 /// Location errors with the lines they lead to, then tables.
 pub(super) fn errors(model: &Model) -> Vec<String> {

@@ -5,8 +5,8 @@ use super::errors::{Errors, LocationError};
 use super::machine::{Model, ModelAxis, ModelJoint, Tool};
 use super::source::Located;
 use crate::syntax::tree::{Link, Name, Preference as Said};
-use mach_runtime::error_table::ErrorTable;
-use mach_runtime::machine::{BranchPolicy, Preference, Rule, Strictness, Travel, Written};
+use mach_runtime::machine::{BranchPolicy, ErrorTable, Preference, Rule, Travel, Written};
+use mach_runtime::strictness::Strictness;
 use nalgebra::Vector3;
 
 /// The tool axis may be off by this much where the machine says nothing.

@@ -4,8 +4,8 @@ use super::lost::Lost;
 use super::source::{Located, Location, SourceMap};
 use super::subject::AXIS;
 use crate::syntax::tree::{Link, Name, Preference};
-use mach_runtime::error_table::Component;
-use mach_runtime::machine::{Motion, Rule, Strictness};
+use mach_runtime::machine::{Component, Motion, Rule};
+use mach_runtime::strictness::Strictness;
 use nalgebra::Vector3;
 
 /// A machine in which anything may still be missing or wrong. `None` means not said, or said wrongly and reported.

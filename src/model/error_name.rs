@@ -1,6 +1,6 @@
 //! The names of errors in ISO 230-1 and ISO 230-7: `EXX`, `EBC`, `EX0C`, `EC(0X)Y`.
 
-use mach_runtime::error_table::Component;
+use mach_runtime::machine::Component;
 
 /// A name, taken apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

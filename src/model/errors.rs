@@ -2,7 +2,7 @@
 
 use super::error_name::ErrorName;
 use super::machine::{Model, ModelAxis};
-use mach_runtime::error_table::{Component, ErrorTable};
+use mach_runtime::machine::{Component, ErrorTable};
 use nalgebra::{Rotation3, Unit, Vector3};
 
 /// Everything that was measured.

@@ -2,8 +2,10 @@
 //! once, the axes that the pose decides can be solved for, and the dialect prints every axis.
 
 use super::errors::Errors;
-use mach_runtime::machine::{BranchPolicy, Motion, Rule, Strictness, ToolGeometry, Travel, Written};
+use mach_runtime::machine::{BranchPolicy, Motion, Rule, Travel, Written};
 use mach_runtime::nc::dialect::Dialect;
+use mach_runtime::strictness::Strictness;
+use mach_runtime::tool::ToolGeometry;
 use nalgebra::Vector3;
 
 /// A checked machine. Points and directions are in the machine frame with every axis at zero; lengths in millimetres.

@@ -8,8 +8,7 @@ use super::source::{Located, Location};
 use crate::diagnostic::{Code, Diagnostic, Suggestion};
 use crate::syntax::spelling::nearest;
 use crate::syntax::tree::{Body, ErrorRow, MachineStatement, Name};
-use mach_runtime::error_table::Component;
-use mach_runtime::machine::Motion;
+use mach_runtime::machine::{Component, Motion};
 
 /// A name that is no error's.
 pub(crate) static UNKNOWN_ERROR: Code = Code {

@@ -3,7 +3,7 @@
 
 use super::residual::{LENGTH_MM, unit};
 use crate::plan::{Jacobian, Plan, Pose};
-use mach_runtime::machine::ToolGeometry;
+use mach_runtime::tool::ToolGeometry;
 
 /// Poses and derivatives of scaled joints.
 #[derive(Debug, Clone)]

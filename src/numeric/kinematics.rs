@@ -6,7 +6,7 @@ use super::workspace::Workspace;
 use super::{Effort, Method, seeds};
 use crate::plan::{Interpreter, JOINT_INPUT, Plan, Program};
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, Miss, Pole, PoseBlock, SolutionBlock, held};
-use mach_runtime::machine::ToolGeometry;
+use mach_runtime::tool::ToolGeometry;
 use mach_runtime::vector::Vec3;
 use std::f64::consts::PI;
 

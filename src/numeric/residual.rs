@@ -6,7 +6,7 @@
 
 use crate::derive::prove::{AXIS_BOUND_RAD, TIP_BOUND_MM};
 use crate::plan::Pose;
-use mach_runtime::machine::ToolGeometry;
+use mach_runtime::tool::ToolGeometry;
 use mach_runtime::vector::{Vec3, angle_rad, norm, sub};
 
 /// A length that weighs as much as a radian: the ratio of the proof's two bounds, one metre.

@@ -2,7 +2,7 @@
 
 use super::{AXIS_INPUT, Id, InverseOutput, JOINT_INPUT, Plan, Program, TIP_INPUT, TOOL_LENGTH_INPUT};
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, Miss, Pole, PoseBlock, SolutionBlock, held};
-use mach_runtime::machine::ToolGeometry;
+use mach_runtime::tool::ToolGeometry;
 use mach_runtime::vector::Vec3;
 
 /// Runs a plan.

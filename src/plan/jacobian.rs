@@ -1,7 +1,7 @@
 //! The forward chain and its derivatives by the joints, for one set of joints at a time.
 
 use super::{Id, JOINT_INPUT, Plan, Program, TOOL_LENGTH_INPUT};
-use mach_runtime::machine::ToolGeometry;
+use mach_runtime::tool::ToolGeometry;
 
 /// Tip x, y, z in millimetres and unit tool axis i, j, k; or how they change, per unit of a joint.
 pub type Pose = [f64; 6];

@@ -1,8 +1,8 @@
 //! The syntax tree of a `.mach` file. Every node that a diagnostic may point at carries its span.
 
 pub use mach_runtime::dialect::meaning::Meaning;
-pub use mach_runtime::machine::Strictness;
 pub use mach_runtime::nc::dialect::Trigger;
+pub use mach_runtime::strictness::Strictness;
 pub use mach_runtime::unit::LengthUnit;
 use std::ops::Range;
 

@@ -1,8 +1,10 @@
 //! One solution of the inverse, with whole turns chosen and the travel looked at.
 
-use super::preference::TIE_DEG;
 use crate::kinematics::Lane;
 use crate::machine::{Axis, Motion, Rule, Travel};
+
+/// Angles that differ by less than this, in degrees, are equal: rounding must not decide.
+pub(super) const TIE_DEG: f64 = 1e-9;
 
 /// How far beyond its travel an axis may stand, in mm or degrees, before it counts as beyond: far above what rounding
 /// does to a joint on its limit, far below what any program prints.

@@ -1,10 +1,7 @@
 //! The machine's preferences, compared in order.
 
-use super::candidate::Candidate;
+use super::candidate::{Candidate, TIE_DEG};
 use crate::machine::Preference;
-
-/// Angles that differ by less than this, in degrees, are equal: rounding must not decide.
-pub(super) const TIE_DEG: f64 = 1e-9;
 
 /// The list with what decides where it leaves a choice open: the least rotary travel.
 pub(super) fn complete(order: &[Preference]) -> Vec<Preference> {

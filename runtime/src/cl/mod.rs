@@ -1,20 +1,20 @@
 //! CL data: NX CLSF text in, a toolpath of events out, as a stream.
 //!
 //! [`Reader`] takes the text apart: bytes to lines (`source`), lines to records (`record`, `argument`), records to motion
-//! (`motion`, `circle`) and settings (`setting`). What each record means stands in one list (`words`); those that ask in vain
+//! (`motion`) and settings (`setting`). What each record means stands in one list (`words`); those that ask in vain
 //! are told (`not_used`). Lines that hold a GOTO and nothing else, the bulk of every file, take a shortcut (`plain`).
 
 mod arc;
 mod argument;
-mod circle;
 pub mod event;
+mod free_text;
 mod motion;
 mod not_used;
 mod number;
 mod once;
 mod plain;
-mod pose;
 mod quote;
+mod range;
 mod reader;
 mod record;
 mod setting;
@@ -41,13 +41,13 @@ pub static CODES: &[&Code] = &[
     &argument::MISSING_ARGUMENT,
     &argument::NOT_A_NUMBER,
     &setting::UNKNOWN_WORD,
-    &pose::OUT_OF_RANGE,
-    &pose::ZERO_VECTOR,
-    &circle::OFF_CIRCLE,
-    &circle::OPEN_ARC,
-    &circle::TILTING_ARC,
+    &range::OUT_OF_RANGE,
+    &motion::pose::ZERO_VECTOR,
+    &motion::circle::OFF_CIRCLE,
+    &motion::circle::OPEN_ARC,
+    &motion::circle::TILTING_ARC,
     &motion::FLAT_FRAME,
-    &pose::NOT_UNIT,
+    &motion::pose::NOT_UNIT,
     &setting::MIXED_UNITS,
     &setting::OTHER_UNITS,
     &once::INSERTED,

@@ -1,15 +1,19 @@
 //! Motion: where the tool is, and the records that move it.
 
+pub(super) mod circle;
+pub(super) mod pose;
+
 use crate::cl::arc::{ArcPoints, Circle};
-use crate::cl::circle::OPEN_ARC;
 use crate::cl::event::{Approach, Feed, Point};
 use crate::cl::once::Once;
-use crate::cl::pose::{FARTHEST_MM, UNIT_TOLERANCE, checked};
+use crate::cl::range::{FARTHEST_MM, checked};
 use crate::cl::record::Record;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::place::{Frame, Placement};
 use crate::unit::LengthUnit;
 use crate::vector::{Vec3, add, norm, scale};
+use circle::OPEN_ARC;
+use pose::UNIT_TOLERANCE;
 
 /// An MSYS that spans no frame.
 pub(super) static FLAT_FRAME: Code = Code {

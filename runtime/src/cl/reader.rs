@@ -13,7 +13,7 @@ use crate::cl::source::Source;
 use crate::cl::told::Told;
 use crate::cl::words::{Meaning, meaning};
 use crate::diagnostic::{Code, Diagnostic, Place};
-use crate::machine::{Machine, Strictness};
+use crate::strictness::Strictness;
 use crate::unit::LengthUnit;
 
 /// The file ends too early.
@@ -54,17 +54,6 @@ pub struct ReaderOptions {
     pub chord_tolerance_mm: f64,
     /// What a record that nobody knows does.
     pub unknown_records: Strictness,
-}
-
-impl ReaderOptions {
-    /// For a CL file that is posted for this machine.
-    pub fn of(machine: &Machine) -> Self {
-        Self {
-            chord_tolerance_mm: machine.chord_tolerance_mm,
-            unknown_records: machine.unknown_records,
-            ..Self::default()
-        }
-    }
 }
 
 impl Default for ReaderOptions {

@@ -6,8 +6,8 @@
 use std::io::{self, Read};
 use std::ops::Range;
 
+use crate::cl::free_text::is_free_text;
 use crate::cl::source::{LONGEST_LINE_BYTES, Source, SourceLine};
-use crate::cl::words::is_free_text;
 use crate::diagnostic::{Code, Diagnostic};
 
 /// What some editors put before UTF-8 text.

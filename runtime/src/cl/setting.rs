@@ -2,7 +2,7 @@
 
 use crate::cl::argument::shortened;
 use crate::cl::event::{Command, Coolant, Feed, Spindle};
-use crate::cl::pose::out_of_range;
+use crate::cl::range::out_of_range;
 use crate::cl::record::Record;
 use crate::cl::words::closest;
 use crate::diagnostic::{Code, Diagnostic, Suggestion};

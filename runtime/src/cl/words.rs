@@ -4,7 +4,7 @@ use crate::cl::argument::shortened;
 use crate::cl::not_used;
 use crate::cl::record::Record;
 use crate::diagnostic::{Code, Diagnostic, Severity, Suggestion};
-use crate::machine::Strictness;
+use crate::strictness::Strictness;
 
 /// A record with an effect that the reader does not know how to carry out.
 pub(super) static NOT_SUPPORTED: Code = Code {
@@ -197,16 +197,6 @@ static RECORDS: &[(&str, Meaning)] = &[
     ("VCUT", Skipped),
     ("ZERO", NotSupported("a choice of work offset")),
 ];
-
-/// Words after which the rest of the line is text, commas, slashes and dollar signs included.
-const FREE_TEXT: [&str; 7] = ["DISPLAY", "INSERT", "LETTER", "PARTNO", "PPRINT", "REMARK", "TPRINT"];
-
-/// Whether the line starts with a word after which the rest is text.
-pub(super) fn is_free_text(line: &[u8]) -> bool {
-    let line = line.trim_ascii_start();
-    let length = line.iter().position(|byte| !byte.is_ascii_alphanumeric()).unwrap_or(line.len());
-    FREE_TEXT.iter().any(|word| word.as_bytes().eq_ignore_ascii_case(&line[..length]))
-}
 
 /// What the record means; an error or a warning where nobody knows or nobody can do it.
 pub(super) fn meaning(record: &Record, unknown: Strictness) -> Result<Meaning, Diagnostic> {

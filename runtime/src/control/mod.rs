@@ -17,8 +17,9 @@ pub use modal::Modal;
 
 use crate::dialect::meaning::{Coolant, Distance, FeedMode, Meaning, Once, Spindle};
 use crate::dialect::table::Table;
-use crate::machine::{Axis, ToolGeometry};
+use crate::machine::Axis;
 use crate::motion::{Event, Feed, Item, Motion, What};
+use crate::tool::ToolGeometry;
 use crate::unit::LengthUnit;
 use std::ops::Range;
 

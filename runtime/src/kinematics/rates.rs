@@ -5,7 +5,8 @@
 //! tool along.
 
 use super::{JointBlock, LANES, Lane};
-use crate::machine::{Chain, Motion, ToolGeometry, turned};
+use crate::machine::{Chain, Motion, turned};
+use crate::tool::ToolGeometry;
 use crate::vector::{Vec3, add, cross, scale, sub};
 
 /// How the tool moves with one axis, lane by lane.

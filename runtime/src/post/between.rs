@@ -1,6 +1,6 @@
 //! What is told of a program whose tip leaves its lines between the points.
 
-use super::Job;
+use super::job::Job;
 use crate::certificate::Between;
 use crate::diagnostic::{Code, Diagnostic, Place};
 

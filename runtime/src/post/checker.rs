@@ -1,6 +1,6 @@
 //! The second half of a post: what was printed is read back, compared with the CL, and written out.
 
-use super::Job;
+use super::job::Job;
 use super::stretch::{PrintedPoint, Stretch};
 use crate::certificate::{Certificate, Deviation, Way};
 use crate::cl::event::{Approach, Point};

@@ -1,6 +1,6 @@
 //! What the CL has said and is in force, and what the placeholders of the blocks stand for with it.
 
-use super::Job;
+use super::job::Job;
 use crate::cl::event::{Command, Coolant, Spindle};
 use crate::nc::dialect::Trigger;
 use crate::nc::writer::{LoadedTool, SwitchesOff, Values};

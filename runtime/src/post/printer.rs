@@ -1,8 +1,9 @@
 //! The first half of a post: the points of the CL are solved and printed.
 
 use super::in_force::InForce;
+use super::job::Job;
+use super::refusal::{self, NO_FEED_RATE, SPINDLE_STANDS, TOO_MANY_ERRORS};
 use super::stretch::{PrintedPoint, Stretch};
-use super::{Job, NO_FEED_RATE, SPINDLE_STANDS, TOO_MANY_ERRORS, refusal};
 use crate::branch::{Candidate, Choice};
 use crate::cl::Next;
 use crate::cl::event::{Approach, Command, Point};

@@ -1,11 +1,12 @@
 //! Points that the machine cannot go to, as diagnostics.
 
-use super::Job;
+use super::job::Job;
 use crate::branch::{Candidate, Choice, Obstacle};
 use crate::diagnostic::{Code, Diagnostic, Place};
 use crate::kinematics::Miss;
-use crate::machine::{Axis, Motion, Rule, Strictness, Travel};
+use crate::machine::{Axis, Motion, Rule, Travel};
 use crate::path::{Jump, Solved};
+use crate::strictness::Strictness;
 
 /// E1101.
 pub static OUT_OF_REACH: Code = Code {

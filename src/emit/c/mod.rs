@@ -12,8 +12,7 @@ use crate::compile::Compiled;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::model::machine::ModelAxis;
 use code::Body;
-use mach_runtime::error_table::ErrorTable;
-use mach_runtime::machine::Motion;
+use mach_runtime::machine::{ErrorTable, Motion};
 
 /// A rotary axis that LinuxCNC's world coordinates lack.
 pub static NO_WORLD_COORDINATE: Code = Code {

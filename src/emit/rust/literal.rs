@@ -1,9 +1,9 @@
 //! The runtime's tables as Rust expressions.
 
-use mach_runtime::error_table::{Component, ErrorTable};
 use mach_runtime::kinematics::Pole;
 use mach_runtime::machine::{
-    Axis, BranchPolicy, Chain, Joint, Machine, Motion, Preference, Rule, Strictness, ToolGeometry, Travel, Written,
+    Axis, BranchPolicy, Chain, Component, ErrorTable, Joint, Machine, Motion, Preference, Rule, Strictness,
+    ToolGeometry, Travel, Written,
 };
 use mach_runtime::nc::dialect::{Block, Codes, Dialect, Line, Piece, Sequence, Trigger, Value, Word};
 use mach_runtime::number::{DecimalPoint, Picture};

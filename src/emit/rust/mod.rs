@@ -41,7 +41,6 @@ fn header(compiled: &Compiled) -> String {
     } else {
         ""
     };
-    let uses_errors = if compiled.plan.errors > 0 { "use mach_runtime::error_table::*;\n" } else { "" };
     format!(
         "\
 //! {name}{title}.
@@ -53,7 +52,7 @@ fn header(compiled: &Compiled) -> String {
 #![forbid(unsafe_code)]
 #![allow(unreachable_pub, clippy::approx_constant, clippy::needless_range_loop)]
 
-{uses_errors}use mach_runtime::kinematics::*;
+use mach_runtime::kinematics::*;
 use mach_runtime::machine::*;
 {uses_dialect}use mach_runtime::vector::Vec3;
 ",

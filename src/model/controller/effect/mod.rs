@@ -12,8 +12,9 @@ use mach_runtime::control::Control;
 use mach_runtime::diagnostic::Code;
 use mach_runtime::dialect::meaning::{Meaning, Once};
 use mach_runtime::dialect::table::Table;
-use mach_runtime::machine::{Axis, ToolGeometry};
+use mach_runtime::machine::Axis;
 use mach_runtime::nc::dialect::{Block, Dialect, Piece, Value};
+use mach_runtime::tool::ToolGeometry;
 
 /// A block whose text is not made of what the dialect declares.
 pub(super) static UNREAD_TEXT: Code = Code {

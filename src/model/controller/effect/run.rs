@@ -4,9 +4,10 @@ use super::sample::{START, TOOL};
 use mach_runtime::control::{Control, Modal};
 use mach_runtime::dialect::meaning::{Coolant, Distance, FeedMode, Plane, Spindle};
 use mach_runtime::dialect::table::Table;
-use mach_runtime::machine::{Axis, ToolGeometry};
+use mach_runtime::machine::Axis;
 use mach_runtime::motion::{Coolants, Motion, State, What};
 use mach_runtime::nc::dialect::{Dialect, Trigger};
+use mach_runtime::tool::ToolGeometry;
 
 /// What running a block has done.
 pub(super) struct Run {

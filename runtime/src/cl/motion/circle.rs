@@ -1,8 +1,9 @@
 //! CIRCLE: the record, and the GOTO that ends the arc.
 
+use super::pose::UNIT_TOLERANCE;
+use super::{Motion, Moved};
 use crate::cl::arc::Circle;
-use crate::cl::motion::{Motion, Moved};
-use crate::cl::pose::{FARTHEST_MM, UNIT_TOLERANCE, out_of_range};
+use crate::cl::range::{FARTHEST_MM, out_of_range};
 use crate::cl::record::Record;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::vector::{Vec3, norm, sub};
@@ -13,7 +14,7 @@ const ARC_END_TOLERANCE_MM: f64 = 0.01;
 const MOST_TURNS: f64 = 10_000.0;
 
 /// An arc whose ends are not on its circle.
-pub(super) static OFF_CIRCLE: Code = Code {
+pub(crate) static OFF_CIRCLE: Code = Code {
     id: "E1020",
     title: "an end of an arc is not on its circle",
     explanation: "\
@@ -27,7 +28,7 @@ on the circle (or, for a helix, on its cylinder) within 0.01 mm:
 };
 
 /// An arc that lacks an end or a beginning.
-pub(super) static OPEN_ARC: Code = Code {
+pub(crate) static OPEN_ARC: Code = Code {
     id: "E1021",
     title: "an arc has no beginning or no end",
     explanation: "\
@@ -37,7 +38,7 @@ A CIRCLE record needs a position to start from, and it is followed by one GOTO w
 };
 
 /// An arc along which the tool would have to tilt.
-pub(super) static TILTING_ARC: Code = Code {
+pub(crate) static TILTING_ARC: Code = Code {
     id: "E1023",
     title: "the tool axis changes along an arc",
     explanation: "\
@@ -48,7 +49,7 @@ one to the other. Let the CAM system put out lines instead of arcs here.
 
 impl Motion {
     /// `CIRCLE/cx,cy,cz,i,j,k,r,t,f,d,e[,TIMES,n]`: what the next GOTO ends.
-    pub(super) fn circle(&mut self, record: &Record) -> Result<(), Diagnostic> {
+    pub(crate) fn circle(&mut self, record: &Record) -> Result<(), Diagnostic> {
         let times = match record.len() {
             11 => 1.0,
             13 if record.argument(11) == "TIMES" => record.number(12)?,

@@ -1,26 +1,16 @@
 //! Points and directions of a record, checked and placed.
 
-use crate::cl::motion::Motion;
+use super::Motion;
+use crate::cl::range::{checked, out_of_range};
 use crate::cl::record::Record;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::vector::{Vec3, norm, scale};
 
-/// No machine tool is a kilometre long.
-pub(super) const FARTHEST_MM: f64 = 1e6;
 /// How far the length of a unit vector may be from 1.
 pub(super) const UNIT_TOLERANCE: f64 = 1e-3;
-/// A number that cannot be meant.
-pub(super) static OUT_OF_RANGE: Code = Code {
-    id: "E1015",
-    title: "a number of the CL is out of range",
-    explanation: "\
-The number is larger than anything a machine tool can do (a coordinate beyond 1,000,000 mm, say), or zero or negative where
-only a positive number makes sense. The file may be damaged.
-",
-};
 
 /// A direction without length.
-pub(super) static ZERO_VECTOR: Code = Code {
+pub(crate) static ZERO_VECTOR: Code = Code {
     id: "E1016",
     title: "a direction has no length",
     explanation: "\
@@ -33,7 +23,7 @@ Leave the three numbers out to keep the last tool axis.
 };
 
 /// A unit vector that is none.
-pub(super) static NOT_UNIT: Code = Code {
+pub(crate) static NOT_UNIT: Code = Code {
     id: "W1002",
     title: "a direction is not a unit vector",
     explanation: "\
@@ -74,19 +64,5 @@ impl Motion {
             self.once.not_unit.get_or_insert_with(first).1 += 1;
         }
         Ok(self.placement.direction(scale(1.0 / length, given)))
-    }
-}
-
-/// An error about a number that is out of range.
-pub(super) fn out_of_range(record: &Record, index: usize, text: &str) -> Diagnostic {
-    let message = format!("{} has a number that is out of range", record.word());
-    Diagnostic::error(&OUT_OF_RANGE, message).at(record.place_of(index), text)
-}
-
-/// The point, if it is not farther than any machine reaches.
-pub(super) fn checked(point_mm: Vec3, record: &Record) -> Result<Vec3, Diagnostic> {
-    match point_mm.iter().position(|mm| mm.is_nan() || mm.abs() > FARTHEST_MM) {
-        Some(index) => Err(out_of_range(record, index, "no coordinate is beyond 1,000,000 mm")),
-        None => Ok(point_mm),
     }
 }

@@ -1,6 +1,6 @@
 //! Errors that depend on where an axis is, as they were measured: values at positions, linear in between.
 
-use crate::machine::{Axis, Motion};
+use super::{Axis, Motion};
 
 /// Which of the six errors of an axis, in the directions of the machine frame (the first letter behind the E of ISO 230-1).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
