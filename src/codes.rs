@@ -1,9 +1,10 @@
 //! The list of every code that machc knows.
 
 use crate::check;
-use crate::derive::prove;
 use crate::emit::c;
-use crate::model::{arithmetic, describe, dh, evaluate, family, field, function, library, load, measured, parameter};
+use crate::model::evaluate::{arithmetic, function};
+use crate::model::{describe, dh, evaluate, family, field, library, load, measured, parameter};
+use crate::prove;
 use mach_runtime::diagnostic::Code;
 
 /// The codes of the model and of the checks; those of the syntax are listed there.

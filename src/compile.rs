@@ -3,7 +3,6 @@
 
 use crate::check;
 use crate::derive::derive;
-use crate::derive::prove::{self, Proof};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::model::build::build;
 use crate::model::describe::describe;
@@ -15,6 +14,7 @@ use crate::model::origin::{Origins, origins};
 use crate::model::source::SourceMap;
 use crate::model::{family, library};
 use crate::plan::Plan;
+use crate::prove::{self, Proof};
 use crate::sources::Sources;
 
 /// What compiling a machine gives.

@@ -24,6 +24,7 @@ pub mod emit;
 pub mod model;
 pub mod numeric;
 pub mod plan;
+pub mod prove;
 mod rig;
 pub mod snapshot;
 pub mod sources;

@@ -8,12 +8,12 @@ use mach_command::report::Report;
 use mach_runtime::machine::Machine;
 use mach_runtime::rig::Rig;
 use machc::compile::{Compiled, compile};
-use machc::derive::prove::Proof;
 use machc::diagnostic::Diagnostic;
 use machc::model::machine::Model;
 use machc::model::origin::Origins;
 use machc::model::tables;
 use machc::plan::{Interpreter, Plan};
+use machc::prove::Proof;
 
 use super::folders::{Folders, generated_name};
 

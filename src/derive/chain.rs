@@ -1,7 +1,7 @@
 //! The chain as the derivation reads it: elements from the workpiece to the tool, all senses positive.
 
 use super::symbolic::Vector;
-use crate::model::errors::AxisLine;
+use crate::model::axis_line::AxisLine;
 use crate::model::machine::{Model, ModelJoint};
 use crate::plan::{Graph, Id};
 use mach_runtime::machine::{Component, Motion, Rule};

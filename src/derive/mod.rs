@@ -12,7 +12,6 @@ mod forward;
 mod orientation;
 mod polar;
 mod position;
-pub mod prove;
 mod symbolic;
 
 use crate::model::machine::Model;

@@ -3,15 +3,14 @@
 use super::measured;
 use super::spelling::Spelling;
 use super::transformation::{self, Inverse};
-use crate::derive::prove::Proof;
 use crate::model::class::{self, Rotary};
 use crate::model::directions;
 use crate::model::machine::{Model, ModelAxis};
-use crate::model::number::number;
+use crate::model::number::{number, vector};
 use crate::plan::{Interpreter, Plan};
+use crate::prove::Proof;
 use mach_runtime::kinematics::{Kinematics, LANES, Miss, Outcome, PoseBlock, SolutionBlock, Tolerances};
 use mach_runtime::machine::{Motion, Rule, Written};
-use nalgebra::Vector3;
 use std::fmt::Write;
 
 /// The whole sheet, as text of at most 80 columns where the equations allow it.
@@ -167,8 +166,4 @@ fn proved(proof: &Proof) -> Vec<String> {
 /// The order of magnitude matters; nothing is plainly 0.
 fn bound(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
-}
-
-pub(super) fn vector(v: &Vector3<f64>) -> String {
-    format!("({}, {}, {})", number(v.x), number(v.y), number(v.z))
 }

@@ -1,9 +1,8 @@
 //! The measured errors of a machine, as lines of its data sheet.
 
-use super::data_sheet::vector;
 use crate::model::errors::LocationError;
 use crate::model::machine::Model;
-use crate::model::number::number;
+use crate::model::number::{number, vector};
 use mach_runtime::machine::{Component, ErrorTable, Motion};
 
 /// Location errors with the lines they lead to, then tables.

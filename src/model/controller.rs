@@ -4,6 +4,7 @@ mod address;
 mod beside;
 mod block;
 mod code;
+mod controlled_axis;
 mod effect;
 mod lowering;
 mod motion;
@@ -19,10 +20,10 @@ mod trial;
 mod word;
 
 use crate::syntax::tree::{ControllerStatement, Span, Text};
+pub use controlled_axis::ControlledAxis;
 use lowering::Lowering;
 use mach_runtime::diagnostic::{Code, Diagnostic, Place};
 use mach_runtime::dialect::meaning::{FeedMode, Meaning};
-use mach_runtime::machine::Motion;
 use mach_runtime::nc::dialect::{Codes, Dialect};
 use mach_runtime::unit::LengthUnit;
 
@@ -81,15 +82,6 @@ pub struct Controller<'a> {
     pub statements: &'a [ControllerStatement],
     /// The place of a span of the statement with this index.
     pub place: &'a dyn Fn(usize, &Span) -> Place,
-}
-
-/// What a controller has to know of an axis.
-#[derive(Debug, Clone, Copy)]
-pub struct ControlledAxis<'a> {
-    /// Its name.
-    pub name: &'a str,
-    /// How it moves.
-    pub motion: Motion,
 }
 
 /// The dialect for a machine with these axes, in the machine's order.

@@ -1,14 +1,17 @@
 //! Expressions: dimensions, vectors and names. The arithmetic itself is `scalar`'s.
 
-use super::arithmetic::UNITS_DO_NOT_FIT;
-use super::function::{self, Function};
+pub(crate) mod arithmetic;
+pub(crate) mod function;
+mod scalar;
+
 use super::lost::Lost;
 use super::quantity::{Dimension, Value, measure};
-use super::scalar;
 use super::source::{Location, SourceId, SourceMap};
 use crate::diagnostic::{Code, Diagnostic, Suggestion};
 use crate::syntax::spelling::nearest;
 use crate::syntax::tree::{Expression, ExpressionKind, Span, Spanned, Unit};
+use arithmetic::UNITS_DO_NOT_FIT;
+use function::Function;
 use nalgebra::Vector3;
 use std::collections::BTreeMap;
 

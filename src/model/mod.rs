@@ -3,7 +3,7 @@
 //! `load` reads the files, `library` and `family` find out what is said of the machine, `describe` evaluates it into a
 //! `draft`, `build` makes a checked draft the model, and `tables` are what the runtime has of it.
 
-pub(crate) mod arithmetic;
+pub mod axis_line;
 pub(crate) mod build;
 pub mod class;
 pub mod controller;
@@ -17,7 +17,6 @@ pub mod errors;
 pub(crate) mod evaluate;
 pub(crate) mod family;
 pub(crate) mod field;
-pub(crate) mod function;
 pub(crate) mod library;
 pub(crate) mod load;
 pub mod lost;
@@ -27,7 +26,6 @@ pub mod number;
 pub mod origin;
 pub(crate) mod parameter;
 pub(crate) mod quantity;
-mod scalar;
 pub mod source;
 pub(crate) mod subject;
 pub mod tables;

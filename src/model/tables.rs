@@ -1,6 +1,6 @@
 //! Model to the runtime's tables.
 
-use super::errors::AxisLine;
+use super::axis_line::AxisLine;
 use super::machine::{Model, ModelAxis, ModelJoint};
 use mach_runtime::machine::{Axis, Chain, Joint, Machine, Motion};
 use nalgebra::{Matrix3, Vector3};

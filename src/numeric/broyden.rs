@@ -4,8 +4,9 @@
 //! It ends as Newton's does: within the bounds, or where the corrected derivatives see no step that is longer than the
 //! bound. It has not converged when it takes too many iterates, or when even the smallest part of a path's step fails.
 
+use super::end::End;
 use super::residual::{BOUND, Target};
-use super::workspace::{End, Workspace};
+use super::workspace::Workspace;
 
 /// Fewer than the good method needs to turn into a random walk: beyond it, halving the step is cheaper.
 const MOST_ITERATIONS: u32 = 24;

@@ -1,6 +1,6 @@
 //! The solutions found for a pose.
 
-use super::workspace::End;
+use super::end::End;
 use std::f64::consts::{PI, TAU};
 
 /// Angles that differ by less are one solution found twice. Where two solutions meet, the residual is the square of the

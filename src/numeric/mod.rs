@@ -15,6 +15,7 @@
 mod broyden;
 mod compare;
 mod effort;
+mod end;
 mod forward;
 mod found;
 mod kinematics;
@@ -30,8 +31,9 @@ pub use effort::Effort;
 pub use kinematics::Numeric;
 pub use solver::{Inverse, Solver};
 
+use end::End;
 use residual::Target;
-use workspace::{End, Workspace};
+use workspace::Workspace;
 
 /// How a pose is iterated for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

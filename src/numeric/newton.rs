@@ -4,8 +4,9 @@
 //! joints come nearest, at least of those about them. A freedom that does nothing (the first rotary at the pole) stays
 //! where it is.
 
+use super::end::End;
 use super::residual::{BOUND, Target};
-use super::workspace::{End, Workspace, size};
+use super::workspace::{Workspace, size};
 use crate::plan::Pose;
 
 /// From a start that leads anywhere it takes fewer than ten. Where two solutions meet, each halves what is left at worst:

@@ -4,8 +4,8 @@
 //! two unit vectors. The length of that is the chord, twice the sine of half the angle: the angle itself where it is small,
 //! and zero for equal axes only (the vector product is zero for opposite ones as well).
 
-use crate::derive::prove::{AXIS_BOUND_RAD, TIP_BOUND_MM};
 use crate::plan::Pose;
+use crate::prove::{AXIS_BOUND_RAD, TIP_BOUND_MM};
 use mach_runtime::tool::ToolGeometry;
 use mach_runtime::vector::{Vec3, angle_rad, norm, sub};
 

@@ -7,17 +7,6 @@ use super::least_squares::LeastSquares;
 use super::residual::{BOUND, LENGTH_MM, Target};
 use crate::plan::{Plan, Pose};
 
-/// How an iteration ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum End {
-    /// The pose is within the bounds.
-    There,
-    /// No step brings it nearer.
-    Nearest,
-    /// It came to no end.
-    Lost,
-}
-
 /// Working space for one machine. Joints are scaled.
 #[derive(Debug, Clone)]
 pub(super) struct Workspace {

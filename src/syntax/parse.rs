@@ -13,6 +13,7 @@ use failure::Failures;
 use grammar::{MachParser, Pair, Rule};
 use trivia::Comments;
 
+pub mod bounds;
 mod braces;
 mod broken;
 pub mod controller;
@@ -52,7 +53,7 @@ pub static CODES: [&Code; 15] = [
 pub struct Parsed {
     /// Everything that was understood; what was not is recorded where it stands.
     pub tree: File,
-    /// What was not understood, in the order of the text (at most [`failure::MOST_ERRORS`]). Where there are none, the tree
+    /// What was not understood, in the order of the text (at most [`bounds::MOST_ERRORS`]). Where there are none, the tree
     /// has the whole text.
     pub diagnostics: Vec<Diagnostic>,
 }

@@ -1,6 +1,6 @@
 //! Braces and their partners. Where one is missing or too many, the indentation of the lines tells which.
 
-use super::scan::MOST_NESTED;
+use super::bounds::MOST_NESTED;
 use crate::syntax::tree::Span;
 
 /// What a text has of braces and lines, in its order.

@@ -3,6 +3,7 @@
 use mach_runtime::diagnostic::{Code, Diagnostic, Place, Suggestion};
 use pest::Parser;
 
+use super::bounds::MOST_ERRORS;
 use super::expected::{described, furthest_failure, keyword, list, statements};
 use super::found::Found;
 use super::grammar::{MachParser, Rule};
@@ -10,9 +11,6 @@ use super::scan::{Scan, UNMATCHED_BRACE};
 use crate::syntax::place::place;
 use crate::syntax::spelling::nearest;
 use crate::syntax::tree::Span;
-
-/// No more errors than this are collected from one file.
-pub const MOST_ERRORS: usize = 50;
 
 /// Something stands where something else should.
 pub static UNEXPECTED: Code = Code {

@@ -7,16 +7,13 @@ use std::borrow::Cow;
 
 use mach_runtime::diagnostic::{Code, Diagnostic, Suggestion};
 
+use super::bounds::{MOST_ERRORS, MOST_NESTED};
 use super::braces::{Mark, Unpaired, unpaired};
-use super::failure::MOST_ERRORS;
 use crate::syntax::place::place;
 use crate::syntax::tree::Span;
 
 /// The greatest length of a file in bytes.
 pub const MOST_BYTES: usize = 4 << 20;
-/// How deep braces and parentheses may be nested.
-pub const MOST_NESTED: usize = 64;
-
 /// The file is too large.
 pub static TOO_LARGE: Code = Code {
     id: "E0101",

@@ -1,10 +1,10 @@
 //! The functions of expressions: what they take and what they give.
 
+use super::Evaluator;
 use super::arithmetic::UNITS_DO_NOT_FIT;
-use super::evaluate::Evaluator;
-use super::quantity::Dimension;
-use super::source::{Location, SourceId};
 use crate::diagnostic::{Code, Diagnostic, Suggestion};
+use crate::model::quantity::Dimension;
+use crate::model::source::{Location, SourceId};
 use crate::syntax::spelling::nearest;
 use crate::syntax::tree::{Expression, Spanned};
 

@@ -1,10 +1,9 @@
 //! The operators of expressions, on numbers and vectors with dimensions.
 
-use super::evaluate::{Evaluator, SHAPE};
-use super::quantity::{Dimension, Value};
-use super::scalar;
-use super::source::SourceId;
+use super::{Evaluator, SHAPE, scalar};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::model::quantity::{Dimension, Value};
+use crate::model::source::SourceId;
 use crate::syntax::tree::{Expression, Operator};
 
 /// Two quantities that cannot be combined.
