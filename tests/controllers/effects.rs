@@ -53,6 +53,8 @@ fn a_cut_is_a_cut() {
         (r#"on feed { "G1 {axes} ({feed})" }"#, "does not cut at the feed that it is given"),
         (r#"on feed { "G1 {axes} {feed}" "G91" }"#, "leaves incremental words in force"),
         (r#"on rapid { "G1 {axes}" }"#, "`on rapid` moves at feed"),
+        (r#"on feed { "G1 {axes} {feed}" "G94" }"#, "leaves another kind of feed in force"),
+        (r#"on rapid { "G94 G0 {axes}" }"#, "leaves another kind of feed in force"),
         (r#"on rapid { "G0 {axes} F3000" }"#, "has a feed, which the next cut would take for its own"),
         (r#"on rapid { "G0 {axes} M5" }"#, "leaves the spindle standing"),
         (r#"on approach { "G0 {axes}" "G43.4 H{register}" }"#, "leaves a function of the control on"),
@@ -82,6 +84,8 @@ fn every_other_block_does_what_its_event_says_and_no_more() {
         (r#"on stop { "M0" "M4" }"#, "leaves the spindle turning counterclockwise"),
         (r#"on stop { "M1" }"#, "does an optional stop instead of a stop"),
         (r#"on stop { "M0" "F500" }"#, "has a feed"),
+        (r#"on stop { "M0" "G94" }"#, "leaves another kind of feed in force"),
+        (r#"on stop { "M0" "G95" }"#, "leaves another kind of feed in force"),
         (r#"on stop { "G40" }"#, "there should be a stop"),
         (r#"on dwell { "G4 P{seconds}" }"#, "a dwell of 0.0015 s instead of a dwell of 1.5 s"),
         (r#"on tool { "G91 G28 {retract}" "T{tool} M6" }"#, "leaves incremental words in force"),
@@ -143,6 +147,8 @@ fn every_motion_is_read_back_with_a_tool() {
 #[test]
 fn a_declared_code_may_stand() {
     assert_eq!(told("syntec", r#"plain "M11" "C unclamped" on tool { "T{tool} M6 M11" }"#), []);
+    assert_eq!(told("syntec", r#"on stop { "M0" "{feed_mode}" }"#), []);
+    assert_eq!(told("syntec", r#"word F_revolution feed_revolution as "E""#), []);
     assert_eq!(told("syntec", r#"offset 2 on stop { "M0" "{offset}" }"#), []);
     assert_eq!(told("syntec", r#"on approach { "G0 G43 H{register} {axes}" }"#), []);
     assert_eq!(told("syntec", ""), []);

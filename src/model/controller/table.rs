@@ -3,7 +3,7 @@
 use super::ControlledAxis;
 use super::lowering::Lowering;
 use super::pattern;
-use super::word::{self, Formats};
+use super::word::{self, FEED, FEED_PER_REVOLUTION, Formats};
 use crate::syntax::tree::{ControllerStatement, Member, Span, TemplatePiece};
 use mach_runtime::diagnostic::{Code, Diagnostic};
 use mach_runtime::dialect::meaning::{Meaning, Switch};
@@ -56,7 +56,8 @@ pub(super) fn table(
         ("J", Role::Centre(1)),
         ("K", Role::Centre(2)),
         ("R", Role::Radius),
-        ("F", Role::Feed),
+        (FEED, Role::Feed),
+        (FEED_PER_REVOLUTION, Role::Feed),
         ("S", Role::Speed),
         ("T", Role::Tool),
     ];

@@ -1,23 +1,28 @@
 //! Whether a block has done what its event says, and nothing else that lasts.
 
 use super::run::Run;
-use super::sample::{DWELL_S, ROUNDED, SPEED_RPM, TARGET, TOOL, feed_mm_per_min};
-use mach_runtime::dialect::meaning::{Coolant, Distance, Meaning, Spindle, Switch};
+use super::sample::{DWELL_S, ROUNDED, SPEED_RPM, TARGET, TOOL, feed_mm};
+use mach_runtime::dialect::meaning::{Coolant, Distance, FeedMode, Meaning, Spindle, Switch};
 use mach_runtime::dialect::table::Table;
 use mach_runtime::motion::{Coolants, Event, Feed, Law, State, What};
 use mach_runtime::nc::dialect::{Dialect, Trigger};
 
 /// What is wrong with what a block has done.
-pub(super) fn judge(run: &Run, dialect: &Dialect, table: &Table, trigger: Trigger) -> Option<String> {
-    left_behind(run, dialect, table, trigger)
+pub(super) fn judge(
+    run: &Run,
+    dialect: &Dialect,
+    table: &Table,
+    (trigger, mode): (Trigger, FeedMode),
+) -> Option<String> {
+    left_behind(run, dialect, table, (trigger, mode))
         .or_else(|| shifted(run, trigger))
         .or_else(|| events(run, trigger))
-        .or_else(|| if trigger.is_motion() { motion(run, dialect, trigger) } else { no_motion(run, trigger) })
+        .or_else(|| if trigger.is_motion() { motion(run, dialect, (trigger, mode)) } else { no_motion(run, trigger) })
         .or_else(|| switched(run, trigger))
 }
 
 /// What no block may leave behind, and what the head of a program must have said.
-fn left_behind(run: &Run, dialect: &Dialect, table: &Table, trigger: Trigger) -> Option<String> {
+fn left_behind(run: &Run, dialect: &Dialect, table: &Table, (trigger, mode): (Trigger, FeedMode)) -> Option<String> {
     let after = &run.after;
     let can_say = |pick: fn(&Meaning) -> bool| table.patterns.iter().flat_map(|it| &it.meanings).any(pick);
     let is_unsaid = |said: bool, pick: fn(&Meaning) -> bool| trigger == Trigger::Start && !said && can_say(pick);
@@ -35,6 +40,9 @@ fn left_behind(run: &Run, dialect: &Dialect, table: &Table, trigger: Trigger) ->
     }
     if after.units.is_some_and(|units| units != dialect.units) {
         return Some("leaves another unit of length in force than the program's".to_owned());
+    }
+    if trigger != Trigger::Start && after.feed_mode != Some(mode) {
+        return Some("leaves another kind of feed in force".to_owned());
     }
     let State { tip, side, .. } = after.state;
     let on = Some(Switch::On);
@@ -96,7 +104,7 @@ fn named(event: Event) -> String {
 }
 
 /// A motion gets all axes where they are sent, the way it says, and with its feed.
-fn motion(run: &Run, dialect: &Dialect, trigger: Trigger) -> Option<String> {
+fn motion(run: &Run, dialect: &Dialect, (trigger, mode): (Trigger, FeedMode)) -> Option<String> {
     let is_feed = trigger.is_feed();
     let moves: Vec<_> = run
         .motion
@@ -119,15 +127,22 @@ fn motion(run: &Run, dialect: &Dialect, trigger: Trigger) -> Option<String> {
     if !is_there {
         return Some("does not take every axis where it is sent".to_owned());
     }
-    // A picture without decimals rounds the feed up to twice what it is; what was in force before is far from it.
-    let most_mm_per_min = 2.0 * feed_mm_per_min(dialect);
-    let is_fed =
-        |feed: Option<Feed>| matches!(feed, Some(Feed::PerMinute(found)) if 0.0 < found && found <= most_mm_per_min);
-    if is_feed && moves.iter().any(|(_, state)| !is_fed(state.feed)) {
+    if is_feed && moves.iter().any(|(_, state)| !is_fed(state.feed, dialect, mode)) {
         return Some("does not cut at the feed that it is given".to_owned());
     }
     (!is_feed && run.after.feed != run.before.feed)
         .then(|| "has a feed, which the next cut would take for its own".to_owned())
+}
+
+/// Whether a feed is that of the trial. A picture without decimals rounds it up to twice what it is; what was in force before is
+/// far from it.
+fn is_fed(feed: Option<Feed>, dialect: &Dialect, mode: FeedMode) -> bool {
+    let found = match (feed, mode) {
+        (Some(Feed::PerMinute(found)), FeedMode::PerMinute) => found,
+        (Some(Feed::PerRevolution(found)), FeedMode::PerRevolution) => found,
+        _ => return false,
+    };
+    0.0 < found && found <= 2.0 * feed_mm(dialect)
 }
 
 /// Another block moves only to the way out, and only where that is expected.

@@ -10,7 +10,7 @@ use super::lowering::Lowering;
 use crate::syntax::tree::{ControllerStatement, Span};
 use mach_runtime::control::Control;
 use mach_runtime::diagnostic::Code;
-use mach_runtime::dialect::meaning::{Meaning, Once};
+use mach_runtime::dialect::meaning::{FeedMode, Meaning, Once};
 use mach_runtime::dialect::table::Table;
 use mach_runtime::machine::Axis;
 use mach_runtime::nc::dialect::{Block, Dialect, Piece, Value};
@@ -57,7 +57,9 @@ at an operation and at a tool change.",
 pub(super) fn check(lowering: &mut Lowering<'_>, dialect: &Dialect, table: &Table, named: &[ControlledAxis<'_>]) {
     let axes = sample::axes(named);
     for block in &dialect.blocks {
-        let Some((code, message)) = mistake(dialect, table, &axes, block) else { continue };
+        let mut modes = sample::feed_modes(dialect);
+        let found = modes.find_map(|mode| mistake(dialect, table, &axes, block, mode));
+        let Some((code, message)) = found else { continue };
         let said = lowering.last(|statement| match statement {
             ControllerStatement::On { event, .. } if event.value == block.trigger => Some(&event.span),
             _ => None,
@@ -67,15 +69,18 @@ pub(super) fn check(lowering: &mut Lowering<'_>, dialect: &Dialect, table: &Tabl
     }
 }
 
-fn mistake(dialect: &Dialect, table: &Table, axes: &[Axis], block: &Block) -> Option<(&'static Code, String)> {
+/// What is wrong with a block, and its code.
+type Mistake = (&'static Code, String);
+
+fn mistake(dialect: &Dialect, table: &Table, axes: &[Axis], block: &Block, mode: FeedMode) -> Option<Mistake> {
     let unread = |message: String| Some((&UNREAD_TEXT, message));
-    let text = sample::print(dialect, axes, block)?;
+    let text = sample::print(dialect, axes, block, mode)?;
     if let Some(message) = written_out(dialect, table, axes, block) {
         return unread(message);
     }
-    match run::run(&text, dialect, table, axes, block.trigger) {
+    match run::run(&text, dialect, table, axes, (block.trigger, mode)) {
         Err(message) => unread(message),
-        Ok(run) => judge::judge(&run, dialect, table, block.trigger).map(|message| (&OTHER_EFFECT, message)),
+        Ok(run) => judge::judge(&run, dialect, table, (block.trigger, mode)).map(|message| (&OTHER_EFFECT, message)),
     }
 }
 
@@ -86,7 +91,7 @@ fn written_out(dialect: &Dialect, table: &Table, axes: &[Axis], block: &Block) -
     for line in &mut without.lines {
         line.pieces.retain(|piece| !matches!(piece, Piece::Axes(_) | Piece::Value(Value::Retract, _)));
     }
-    let text = sample::print(dialect, axes, &without)?;
+    let text = sample::print(dialect, axes, &without, FeedMode::PerMinute)?;
     let control = Control::new(table, axes, ToolGeometry::of_length(0.0));
     text.lines().find_map(|line| {
         let block = control.read(line).ok()??;

@@ -27,11 +27,11 @@ pub(super) fn run(
     dialect: &Dialect,
     table: &Table,
     axes: &[Axis],
-    trigger: Trigger,
+    (trigger, mode): (Trigger, FeedMode),
 ) -> Result<Run, String> {
     let mut control = Control::new(table, axes, ToolGeometry::of_length(0.0));
     if trigger != Trigger::Start {
-        control.set_modal(usual(dialect, trigger));
+        control.set_modal(usual(dialect, trigger, mode));
         // An offset that cannot be read is told where a block prints it.
         let _ = control.run(&dialect.offset, 0, &mut Motion::new(axes.len()));
         control.stand_at(&vec![START; axes.len()]);
@@ -51,13 +51,13 @@ pub(super) fn run(
 }
 
 /// What is in force in the middle of a program, with everything on that a block could switch off, and off that it switches on.
-fn usual(dialect: &Dialect, trigger: Trigger) -> Modal {
+fn usual(dialect: &Dialect, trigger: Trigger, mode: FeedMode) -> Modal {
     let coolant = if trigger == Trigger::CoolantMist { Coolant::Flood } else { Coolant::Mist };
     Modal {
         plane: Some(Plane::Xy),
         distance: Some(Distance::Absolute),
         units: Some(dialect.units),
-        feed_mode: Some(FeedMode::PerMinute),
+        feed_mode: Some(mode),
         feed: Some(321.0),
         called_tool: Some(3),
         state: State {

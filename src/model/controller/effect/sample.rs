@@ -2,6 +2,7 @@
 
 use super::super::ControlledAxis;
 use mach_runtime::cl::event::{Approach, Feed};
+use mach_runtime::dialect::meaning::FeedMode;
 use mach_runtime::machine::{Axis, Motion, Rule, Travel, Written};
 use mach_runtime::nc::dialect::{Block, Dialect, Trigger};
 use mach_runtime::nc::writer::{LoadedTool, Values, Writer};
@@ -33,23 +34,39 @@ pub(super) fn axes(named: &[ControlledAxis<'_>]) -> Vec<Axis> {
     named.iter().enumerate().map(axis).collect()
 }
 
-/// The text of a block with sample values; none where it cannot be printed, which is another's business.
-pub(super) fn print(dialect: &Dialect, axes: &[Axis], block: &Block) -> Option<String> {
-    let only = Dialect { blocks: vec![block.clone()], ..dialect.clone() };
-    let mut writer = Writer::new(only, axes);
+/// The kinds of feed that programs of the dialect have.
+pub(super) fn feed_modes(dialect: &Dialect) -> impl Iterator<Item = FeedMode> {
+    let per_revolution = dialect.codes.per_revolution.as_ref().map(|_| FeedMode::PerRevolution);
+    [FeedMode::PerMinute].into_iter().chain(per_revolution)
+}
+
+/// The text of a block with sample values and this kind of feed; none where it cannot be printed, which is another's business.
+pub(super) fn print(dialect: &Dialect, axes: &[Axis], block: &Block, mode: FeedMode) -> Option<String> {
+    let block = Block { trigger: plain(block.trigger), ..block.clone() };
     let mut text = Vec::new();
-    let printed = match approach(block.trigger, dialect) {
-        Some(approach) => {
-            let joints = vec![TARGET; axes.len()];
-            let only = Block { trigger: plain(block.trigger), ..block.clone() };
-            writer = Writer::new(Dialect { blocks: vec![only], ..dialect.clone() }, axes);
-            writer.load(LOADED);
-            writer.motion(approach, &joints, 0.0, &mut text)
+    let cut = Approach::Feed(Some(feed(dialect, mode)));
+    match block.trigger {
+        Trigger::Rapid => writer(dialect, axes, vec![block]).motion(Approach::Rapid, &to(axes), 0.0, &mut text).ok()?,
+        Trigger::Feed => writer(dialect, axes, vec![block]).motion(cut, &to(axes), 0.0, &mut text).ok()?,
+        Trigger::Start => writer(dialect, axes, vec![block]).command(Trigger::Start, &SAMPLE, &mut text).ok()?,
+        trigger => {
+            let mut writer = writer(dialect, axes, vec![dialect.block(Trigger::Feed)?.clone(), block]);
+            writer.motion(cut, &to(axes), 0.0, &mut Vec::new()).ok()?;
+            writer.command(trigger, &SAMPLE, &mut text).ok()?;
         }
-        None => writer.command(block.trigger, &SAMPLE, &mut text),
-    };
-    printed.ok()?;
+    }
     Some(String::from_utf8_lossy(&text).into_owned())
+}
+
+/// A writer of these blocks, with the tool of the trial in the spindle.
+fn writer(dialect: &Dialect, axes: &[Axis], blocks: Vec<Block>) -> Writer {
+    let mut writer = Writer::new(Dialect { blocks, ..dialect.clone() }, axes);
+    writer.load(LOADED);
+    writer
+}
+
+fn to(axes: &[Axis]) -> Vec<f64> {
+    vec![TARGET; axes.len()]
 }
 
 const LOADED: LoadedTool = LoadedTool { number: TOOL, register: TOOL };
@@ -74,15 +91,14 @@ fn plain(trigger: Trigger) -> Trigger {
     }
 }
 
-fn approach(trigger: Trigger, dialect: &Dialect) -> Option<Approach> {
-    match plain(trigger) {
-        Trigger::Rapid => Some(Approach::Rapid),
-        Trigger::Feed => Some(Approach::Feed(Some(Feed::PerMinute(feed_mm_per_min(dialect))))),
-        _ => None,
+fn feed(dialect: &Dialect, mode: FeedMode) -> Feed {
+    match mode {
+        FeedMode::PerRevolution => Feed::PerRevolution(feed_mm(dialect)),
+        FeedMode::PerMinute | FeedMode::Inverse => Feed::PerMinute(feed_mm(dialect)),
     }
 }
 
-/// A feed that any picture prints.
-pub(super) fn feed_mm_per_min(dialect: &Dialect) -> f64 {
+/// A feed a minute or a revolution that any picture prints.
+pub(super) fn feed_mm(dialect: &Dialect) -> f64 {
     if dialect.units == LengthUnit::Inch { 12.7 } else { 0.5 }
 }
