@@ -4,6 +4,7 @@ mod address;
 mod beside;
 mod block;
 mod code;
+mod comment;
 mod controlled_axis;
 mod effect;
 mod lowering;
@@ -28,7 +29,7 @@ use mach_runtime::nc::dialect::{Codes, Dialect};
 use mach_runtime::unit::LengthUnit;
 
 /// Everything that can be wrong with a controller.
-pub static CODES: [&Code; 17] = [
+pub static CODES: [&Code; 18] = [
     &picture::BAD_PICTURE,
     &word::UNKNOWN_FORMAT,
     &address::BAD_ADDRESS,
@@ -46,6 +47,7 @@ pub static CODES: [&Code; 17] = [
     &beside::RUNS_TOGETHER,
     &code::MORE_THAN_A_CODE,
     &retract::NO_AXIS_WORD,
+    &comment::BAD_DELIMITER,
 ];
 
 /// A controller that says too little.
@@ -97,7 +99,7 @@ pub fn lower(controller: &Controller<'_>, axes: &[ControlledAxis<'_>]) -> Result
     address::check(&mut lowering, axes);
     let axis_words = word::axes(&mut lowering, &formats, axes);
     let feed = word::feed(&mut lowering, &formats);
-    let comment = comment(&mut lowering);
+    let comment = comment::comment(&mut lowering);
     let modal_groups = modal_groups(&lowering);
     code::check(&mut lowering, axes, &modal_groups);
     let blocks = block::blocks(&mut lowering, axes, &modal_groups, &comment);
@@ -140,17 +142,6 @@ fn units(lowering: &Lowering<'_>) -> LengthUnit {
         _ => None,
     });
     said.map_or(LengthUnit::Millimetre, |(_, units)| units)
-}
-
-/// What encloses comments; parentheses where nothing is said.
-fn comment(lowering: &mut Lowering<'_>) -> (String, String) {
-    let said = lowering.last(|statement| match statement {
-        ControllerStatement::Comment { open, close } => Some((open, close)),
-        _ => None,
-    });
-    let Some((index, (open, close))) = said else { return ("(".to_owned(), ")".to_owned()) };
-    let close = close.as_ref().map(|close| lowering.printable(index, close));
-    (lowering.printable(index, open), close.unwrap_or_default())
 }
 
 /// The codes of the program's state; empty where nothing is said (a block that prints one has been refused).
