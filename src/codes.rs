@@ -60,13 +60,15 @@ static CODES: [&Code; 47] = [
 
 /// Every code that machc knows, in the order of their ids.
 pub fn all() -> Vec<&'static Code> {
-    let lists: [&[&Code]; 6] = [
+    let lists: [&[&Code]; 8] = [
         &crate::syntax::parse::CODES,
         &CODES,
         &crate::model::controller::CODES,
         mach_runtime::cl::CODES,
         &mach_runtime::post::CODES,
         &mach_runtime::nc::write_error::CODES,
+        &mach_runtime::verify::SUSPICIONS,
+        &mach_runtime::verify::DIFFERENCES,
     ];
     let mut codes = lists.concat();
     codes.sort_by_key(|code| code.id);

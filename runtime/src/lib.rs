@@ -28,3 +28,4 @@ pub mod strictness;
 pub mod tool;
 pub mod unit;
 pub mod vector;
+pub mod verify;

@@ -19,6 +19,7 @@ mod solve;
 mod solver;
 mod test;
 mod text_diff;
+mod verify;
 mod workspace;
 
 use std::process::ExitCode;
@@ -47,6 +48,7 @@ enum Command {
     New(new::Arguments),
     Check(check::Arguments),
     Post(post::Arguments),
+    Verify(verify::Arguments),
     Show(show::Arguments),
     Build(build::Arguments),
     Emit(emit::Arguments),
@@ -67,6 +69,7 @@ pub(crate) fn run() -> ExitCode {
         Command::New(arguments) => new::run(arguments, &report),
         Command::Check(arguments) => check::run(arguments, &mut report),
         Command::Post(arguments) => post::run(arguments, &mut report),
+        Command::Verify(arguments) => verify::run(arguments, &mut report),
         Command::Show(arguments) => show::run(arguments, &mut report),
         Command::Build(arguments) => build::run(arguments, &report),
         Command::Emit(arguments) => emit::run(arguments, &report),

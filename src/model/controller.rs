@@ -25,6 +25,7 @@ pub use controlled_axis::ControlledAxis;
 use lowering::Lowering;
 use mach_runtime::diagnostic::{Code, Diagnostic, Place};
 use mach_runtime::dialect::meaning::{FeedMode, Meaning};
+use mach_runtime::dialect::table::Table;
 use mach_runtime::nc::dialect::{Codes, Dialect};
 use mach_runtime::unit::LengthUnit;
 
@@ -86,13 +87,22 @@ pub struct Controller<'a> {
     pub place: &'a dyn Fn(usize, &Span) -> Place,
 }
 
+/// A controller's description for one machine.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Lowered {
+    /// How programs are written.
+    pub dialect: Dialect,
+    /// What their texts mean.
+    pub table: Table,
+}
+
 /// The dialect for a machine with these axes, in the machine's order.
 ///
 /// `write` statements are not looked at: how a rotary is wound is a matter of the axis.
 ///
 /// # Errors
 /// Everything that is wrong with the statements.
-pub fn lower(controller: &Controller<'_>, axes: &[ControlledAxis<'_>]) -> Result<Dialect, Vec<Diagnostic>> {
+pub fn lower(controller: &Controller<'_>, axes: &[ControlledAxis<'_>]) -> Result<Lowered, Vec<Diagnostic>> {
     let mut lowering = Lowering::new(controller);
     let units = units(&lowering);
     let formats = word::formats(&mut lowering, units);
@@ -128,7 +138,7 @@ pub fn lower(controller: &Controller<'_>, axes: &[ControlledAxis<'_>]) -> Result
     if lowering.diagnostics.is_empty() {
         trial::read_back(&mut lowering, &dialect);
     }
-    if lowering.diagnostics.is_empty() { Ok(dialect) } else { Err(lowering.diagnostics) }
+    if lowering.diagnostics.is_empty() { Ok(Lowered { dialect, table }) } else { Err(lowering.diagnostics) }
 }
 
 fn extension_statement(statement: &ControllerStatement) -> Option<&Text> {

@@ -47,6 +47,7 @@ pub(crate) static ROOMS: &[Room] = &[
     room("runtime/src/readback", &["runtime/src/cl", "runtime/src/kinematics"]),
     room("runtime/src/nc", &["runtime/src/cl", "runtime/src/kinematics", "runtime/src/readback"]),
     room("runtime/src/certificate", &["runtime/src/nc", "runtime/src/nc/dialect"]),
+    room("runtime/src/verify", &["runtime/src/path", "runtime/src/branch"]),
     room("runtime/src/post", OUTSIDE),
     room("runtime/src/rig", OUTSIDE),
     room("runtime/src/lib", &[]),

@@ -3,6 +3,7 @@
 use super::Control;
 use super::block::{AxisWord, Block};
 use super::mistake::Mistake;
+use crate::coordinates::AxisOffset;
 use crate::dialect::meaning::{CentreMode, MotionCode, Once, Plane, Switch};
 use crate::dialect::table::{FormMeaning, Wrap};
 use crate::machine::{Motion as AxisMotion, Written};
@@ -77,7 +78,7 @@ impl Control<'_> {
             return Ok(value);
         }
         let length_mm = if self.modal.state.length_register.is_some() { self.tool.length_mm } else { 0.0 };
-        let joint = value + axis.zero + axis.length_share * length_mm;
+        let joint = AxisOffset::of(axis).joint(value, length_mm);
         let from = if is_known { self.joints[word.axis] } else { joint };
         Ok(match (word.form, axis.written) {
             (Some(FormMeaning::Shortest), _) => from + shortest(joint - from),
@@ -127,7 +128,7 @@ impl Control<'_> {
             (true, true) => -TAU,
         };
         let centre_mm = std::array::from_fn(|i| if normal[i] == 0.0 { centre_mm[i] } else { start[i] });
-        Ok(Arc { centre_mm, normal, sweep_rad })
+        Ok(Arc { centre_mm, radius_mm: norm(from), normal, sweep_rad })
     }
 
     /// The machine coordinates of X, Y and Z, in millimetres, if all that the machine has are known.

@@ -53,6 +53,8 @@ pub enum Law {
 pub struct Arc {
     /// The centre in machine coordinates of X, Y, Z, in millimetres; along the normal it is where the arc starts.
     pub centre_mm: Vec3,
+    /// Its radius in millimetres.
+    pub radius_mm: f64,
     /// The unit normal of its plane.
     pub normal: Vec3,
     /// How far it turns about the normal, in radians, positive counter-clockwise; a full turn and more are possible.

@@ -1,0 +1,14 @@
+//! `verify` from outside: programs of the library, programs of others, programs changed by one edit.
+
+mod agreement;
+mod foreign;
+mod mutations;
+mod verified;
+
+#[path = "../cli/machc.rs"]
+#[allow(dead_code)]
+mod machc;
+#[path = "../common/machine.rs"]
+mod machine;
+#[path = "../common/stems.rs"]
+mod stems;

@@ -1,0 +1,52 @@
+//! A program through the library's verifier.
+
+use mach_runtime::cl::Reader;
+use mach_runtime::diagnostic::Diagnostic;
+use mach_runtime::rig::{Rig, reader_options};
+use mach_runtime::verify::{Agreement, Comparison, Verifier};
+use machc::compile::Compiled;
+use machc::model::tables;
+use machc::plan::Interpreter;
+use std::io::Read;
+use std::num::NonZeroUsize;
+
+/// A machine, and a CL file that it is posted for.
+pub(crate) struct Setup {
+    pub(crate) compiled: Compiled,
+    pub(crate) rig: Rig<Interpreter>,
+}
+
+impl Setup {
+    pub(crate) fn new(compiled: Compiled) -> Self {
+        let rig = compiled.rig().expect("the machine has a controller");
+        Self { compiled, rig }
+    }
+
+    /// The program, where the machine can do what the CL asks.
+    pub(crate) fn post(&self, cl: &str) -> Option<String> {
+        let reader = Reader::new("part.cls", cl.as_bytes(), reader_options(&self.rig.machine));
+        let mut nc = Vec::new();
+        let posted = self.rig.post(("part.cls", "part"), reader, &mut nc, NonZeroUsize::MIN, &mut |_| {});
+        posted.expect("memory can be written").map(|_| String::from_utf8(nc).expect("ASCII"))
+    }
+
+    /// What is told of a program against its CL.
+    pub(crate) fn verify(&self, nc: &str, cl: &str) -> (Vec<Diagnostic>, Agreement) {
+        let table = self.compiled.model.table.as_ref().expect("the machine has a controller");
+        let machine = tables::machine(&self.compiled.model);
+        let mut kinematics = Interpreter::new(&self.compiled.plan);
+        let options = reader_options(&machine);
+        let reader = Reader::new("part.cls", Box::new(cl.as_bytes()) as Box<dyn Read>, options);
+        let mut comparison = Some(Comparison::new("part.cls", reader, &machine, &self.rig.dialect, table));
+        let mut verifier = Verifier::new("part.nc", table, &machine, &mut kinematics);
+        let mut told = Vec::new();
+        for (number, line) in nc.lines().enumerate() {
+            let line = (line, number as u64 + 1);
+            verifier.line(line, &mut comparison, &mut None, &mut |it| told.push(it)).expect("memory can be read");
+        }
+        let comparison = comparison.expect("it was there");
+        let agreement = comparison.finish(("part.nc", 0), &mut |it| told.push(it)).expect("memory can be read");
+        verifier.finish(&mut |it| told.push(it));
+        (told, agreement)
+    }
+}
