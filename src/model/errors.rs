@@ -7,14 +7,14 @@ use mach_runtime::machine::{Component, ErrorTable};
 pub struct Errors {
     /// Where the lines of the axes are: these do not depend on positions.
     pub locations: Vec<LocationError>,
-    /// What depends on where an axis is; axes are indices into [`Model::axes`].
+    /// What depends on where an axis is; axes are indices into [`Model::axes`](super::machine::Model::axes).
     pub tables: Vec<ErrorTable>,
 }
 
 /// A measured location error: one component of how the line of an axis lies beside where it should be.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LocationError {
-    /// Index into [`Model::axes`].
+    /// Index into [`Model::axes`](super::machine::Model::axes).
     pub axis: usize,
     /// Along or about which direction of the frame.
     pub component: Component,
