@@ -83,33 +83,29 @@ fn verify(
     let (program, cl) = (&arguments.program, arguments.cl.as_deref().unwrap_or_default());
     let (input, bytes) = open(program)?;
     let mut input = BufReader::new(watched(input, bytes, report));
-    let mut comparison = match &arguments.against {
+    let comparison = match &arguments.against {
         Some(file) => {
             let reader = arguments.options.reader(file, machine, report)?;
             Some(Comparison::new(shown(file), reader, machine, dialect, table))
         }
         None => None,
     };
-    let unwritten = |error| cannot_write(cl, &error);
     let begin = |output| ReverseCl::begin(output, machine, stem(program).unwrap_or("PROGRAM"));
-    let mut reverse = output.map(|output| begin(output as &mut dyn Write)).transpose().map_err(unwritten)?;
+    let reverse = output.map(|output| begin(output as &mut dyn Write)).transpose();
+    let reverse = reverse.map_err(|error| cannot_write(cl, &error))?;
     let mut kinematics = Interpreter::new(plan);
     let mut verifier = Verifier::new(shown(program), table, machine, &mut kinematics);
+    verifier = verifier.against(comparison).written_as(reverse);
+    let cannot = |error| cannot_read(program, &error);
     let (mut number, mut bytes) = (0, Vec::new());
-    while input.read_until(b'\n', &mut bytes).map_err(|error| cannot_read(program, &error))? > 0 {
+    while input.read_until(b'\n', &mut bytes).map_err(cannot)? > 0 {
         number += 1;
         let line = String::from_utf8_lossy(&bytes);
         let text = line.trim_end_matches(['\n', '\r']);
-        let read = verifier.line((text, number), &mut comparison, &mut reverse, &mut |it| told.add(it));
-        read.map_err(|error| cannot_read(program, &error))?;
+        verifier.line(text, number, &mut |it| told.add(it)).map_err(cannot)?;
         bytes.clear();
     }
-    reverse.map(ReverseCl::end).transpose().map_err(unwritten)?;
-    let agreement = comparison
-        .map(|comparison| comparison.finish((shown(program), number), &mut |it| told.add(it)))
-        .transpose()
-        .map_err(|error| cannot_read(arguments.against.as_deref().unwrap_or_default(), &error))?;
-    Ok((verifier.finish(&mut |it| told.add(it)), agreement))
+    verifier.finish(&mut |it| told.add(it)).map_err(cannot)
 }
 
 /// What was found, on standard output.

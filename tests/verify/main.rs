@@ -3,6 +3,7 @@
 mod agreement;
 mod foreign;
 mod mutations;
+mod plain;
 mod verified;
 
 #[path = "../cli/machc.rs"]

@@ -37,16 +37,14 @@ impl Setup {
         let mut kinematics = Interpreter::new(&self.compiled.plan);
         let options = reader_options(&machine);
         let reader = Reader::new("part.cls", Box::new(cl.as_bytes()) as Box<dyn Read>, options);
-        let mut comparison = Some(Comparison::new("part.cls", reader, &machine, &self.rig.dialect, table));
-        let mut verifier = Verifier::new("part.nc", table, &machine, &mut kinematics);
+        let comparison = Comparison::new("part.cls", reader, &machine, &self.rig.dialect, table);
+        let mut verifier = Verifier::new("part.nc", table, &machine, &mut kinematics).against(Some(comparison));
         let mut told = Vec::new();
-        for (number, line) in nc.lines().enumerate() {
-            let line = (line, number as u64 + 1);
-            verifier.line(line, &mut comparison, &mut None, &mut |it| told.push(it)).expect("memory can be read");
+        for (number, line) in (1..).zip(nc.lines()) {
+            verifier.line(line, number, &mut |it| told.push(it)).expect("memory can be read");
         }
-        let comparison = comparison.expect("it was there");
-        let agreement = comparison.finish(("part.nc", 0), &mut |it| told.push(it)).expect("memory can be read");
-        verifier.finish(&mut |it| told.push(it));
+        let (_, agreement) = verifier.finish(&mut |it| told.push(it)).expect("memory can be read");
+        let agreement = agreement.expect("it is compared");
         (told, agreement)
     }
 }

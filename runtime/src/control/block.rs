@@ -52,6 +52,14 @@ pub struct AxisWord {
 }
 
 impl Block {
+    /// Takes everything out of it.
+    pub(super) fn clear(&mut self) {
+        let Self { codes, axes, .. } = std::mem::take(self);
+        *self = Self { codes, axes, ..Self::default() };
+        self.codes.clear();
+        self.axes.clear();
+    }
+
     /// The block of a text in capitals, without number and comments.
     ///
     /// # Errors

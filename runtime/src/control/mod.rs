@@ -1,7 +1,8 @@
 //! A control, as far as a program can tell: text in, motion out, by nothing but the dialect's table.
 //!
-//! A line is cut into tokens (`token`), patterns claim them (`claim`), the block is what they mean (`block`). It changes what is
-//! modal (`modal`), and moves axes (`motion`): a control knows where they are only once it has been told.
+//! A line is cut into tokens (`token`), patterns claim them (`claim`), the block is what they mean (`block`); plain ones have a
+//! shorter way there (`plain`). A block changes what is modal (`modal`), and moves axes (`motion`): a control knows where they are
+//! only once it has been told.
 
 mod block;
 mod claim;
@@ -9,6 +10,7 @@ mod line;
 mod mistake;
 mod modal;
 mod motion;
+mod plain;
 mod token;
 
 pub use block::{AxisWord, Block, Code};
@@ -21,6 +23,7 @@ use crate::machine::Axis;
 use crate::motion::{Event, Feed, Item, Motion, What};
 use crate::tool::ToolGeometry;
 use crate::unit::LengthUnit;
+use plain::Plain;
 use std::ops::Range;
 
 /// A mistake in a line, and where it stands, in bytes of the line.
@@ -31,6 +34,7 @@ pub type Fault = (Mistake, Range<usize>);
 pub struct Control<'m> {
     table: &'m Table,
     order: Vec<usize>,
+    plain: Plain,
     axes: &'m [Axis],
     tool: ToolGeometry,
     modal: Modal,
@@ -40,6 +44,10 @@ pub struct Control<'m> {
     known: u64,
     /// The text of lines that go on in the next one.
     continued: String,
+    /// The last block, whose room is used again.
+    block: Block,
+    /// What was modal and where the axes were before it.
+    before: (Modal, Vec<f64>, u64),
 }
 
 impl<'m> Control<'m> {
@@ -48,7 +56,24 @@ impl<'m> Control<'m> {
         let mut modal = Modal::default();
         table.power_on.iter().for_each(|&(meaning, number)| modal.take(meaning, number));
         let joints = vec![0.0; axes.len()];
-        Self { table, order: claim::order(table), axes, tool, modal, joints, known: 0, continued: String::new() }
+        Self {
+            table,
+            order: claim::order(table),
+            plain: Plain::of(table),
+            axes,
+            tool,
+            modal,
+            before: (modal, joints.clone(), 0),
+            joints,
+            known: 0,
+            continued: String::new(),
+            block: Block::default(),
+        }
+    }
+
+    /// The block that was run last.
+    pub fn block(&self) -> &Block {
+        &self.block
     }
 
     /// What is modal now.
@@ -86,12 +111,23 @@ impl<'m> Control<'m> {
         Block::read(&capitals, self.table, &self.order).map(Some).map_err(at)
     }
 
-    /// Runs a line of the program, and appends what it does to `out`. Gives the block; `None` for a line without one, and
-    /// for one that goes on in the next.
+    /// Runs a line of the program, and appends what it does to `out`. Nothing is done by a line without a block, and by one that
+    /// goes on in the next.
     ///
     /// # Errors
     /// What the control does not understand, or cannot do. Nothing of the line has been done then.
-    pub fn run(&mut self, text: &str, number: u64, out: &mut Motion) -> Result<Option<Block>, Fault> {
+    pub fn run(&mut self, text: &str, number: u64, out: &mut Motion) -> Result<(), Fault> {
+        self.block.clear();
+        if self.continued.is_empty() && self.plain.read(text.as_bytes(), &mut self.block) {
+            return self.try_block(number, out).map_err(|mistake| (mistake, 0..text.len()));
+        }
+        let Some((block, span)) = self.whole_block(text)? else { return Ok(()) };
+        self.block = block;
+        self.try_block(number, out).map_err(|mistake| (mistake, span))
+    }
+
+    /// The block that ends in a line, and where it stands.
+    fn whole_block(&mut self, text: &str) -> Result<Option<(Block, Range<usize>)>, Fault> {
         let line = line::block(text, self.table)?;
         let capitals = line.text.to_ascii_uppercase();
         if let Some(mark) = &self.table.continued
@@ -104,23 +140,32 @@ impl<'m> Control<'m> {
         if whole.trim().is_empty() {
             return Ok(None);
         }
-        let before = line.at;
-        let at = |(mistake, span): Fault| (mistake, span.start + before..span.end + before);
+        let at = |(mistake, span): Fault| (mistake, span.start + line.at..span.end + line.at);
         let block = Block::read(&whole, self.table, &self.order).map_err(at)?;
-        let (modal, known, joints) = (self.modal.clone(), self.known, self.joints.clone());
-        if let Err(mistake) = self.carry_out(&block, number, out) {
-            (self.modal, self.known, self.joints) = (modal, known, joints);
-            return Err((mistake, before..before + whole.len()));
+        Ok(Some((block, line.at..line.at + whole.len())))
+    }
+
+    /// Carries the block out, whole or not at all.
+    fn try_block(&mut self, line: u64, out: &mut Motion) -> Result<(), Mistake> {
+        (self.before.0, self.before.2) = (self.modal, self.known);
+        self.before.1.copy_from_slice(&self.joints);
+        let (block, items) = (std::mem::take(&mut self.block), out.items().len());
+        let done = self.carry_out(&block, line, out);
+        self.block = block;
+        if done.is_err() {
+            out.truncate(items);
+            (self.modal, self.known) = (self.before.0, self.before.2);
+            self.joints.copy_from_slice(&self.before.1);
         }
-        Ok(Some(block))
+        done
     }
 
     /// Does what a block says, in the order in which a control does: what is modal, the spindle and the coolant on, the tool,
     /// the motion, and then what stops something.
     fn carry_out(&mut self, block: &Block, line: u64, out: &mut Motion) -> Result<(), Mistake> {
         let number = |code: &Code| code.number.map(|number| number as u32);
-        let (late, early): (Vec<&Code>, Vec<&Code>) = block.codes.iter().partition(|code| is_late(code.meaning));
-        early.iter().for_each(|code| self.modal.take(code.meaning, number(code)));
+        let early = block.codes.iter().filter(|code| !is_late(code.meaning));
+        early.for_each(|code| self.modal.take(code.meaning, number(code)));
         self.take_words(block);
         if let Some(code) = block.once(Once::ToolChange) {
             let tool = number(code).or(self.modal.called_tool);
@@ -136,7 +181,8 @@ impl<'m> Control<'m> {
         if !block.axes.is_empty() || block.centre != [None; 3] {
             self.go(block, line, out)?;
         }
-        late.iter().for_each(|code| self.modal.take(code.meaning, number(code)));
+        let late = block.codes.iter().filter(|code| is_late(code.meaning));
+        late.for_each(|code| self.modal.take(code.meaning, number(code)));
         for (once, event) in
             [(Once::Stop, Event::Stop), (Once::OptionalStop, Event::OptionalStop), (Once::End, Event::End)]
         {

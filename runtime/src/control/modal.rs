@@ -6,7 +6,7 @@ use crate::unit::LengthUnit;
 
 /// What is modal. Everything is `None` that no block has said and the dialect does not say of the control when it is switched
 /// on.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Modal {
     /// How axis words are gone to.
     pub motion: Option<MotionCode>,

@@ -23,7 +23,6 @@ impl Control<'_> {
         let is_machine = block.once(Once::MachineCoordinates).is_some() || to_reference;
         let code = if to_reference { MotionCode::Rapid } else { self.modal.motion.ok_or(Mistake::NoMotionCode)? };
         self.refuse_what_is_not_followed()?;
-        let start = (self.joints.clone(), self.known);
         let named = block.axes.iter().fold(0, |named, word| named | 1 << word.axis);
         if to_reference {
             // Where that is, is not the program's business; the axes are somewhere else.
@@ -38,8 +37,8 @@ impl Control<'_> {
         let law = match code {
             MotionCode::Rapid => Law::Rapid,
             MotionCode::Line => Law::Line,
-            MotionCode::ArcClockwise => Law::Arc(out.push_arc(self.arc(block, &start, true)?)),
-            MotionCode::ArcCounterclockwise => Law::Arc(out.push_arc(self.arc(block, &start, false)?)),
+            MotionCode::ArcClockwise => Law::Arc(out.push_arc(self.arc(block, true)?)),
+            MotionCode::ArcCounterclockwise => Law::Arc(out.push_arc(self.arc(block, false)?)),
         };
         let joints = out.push_joints(&self.joints);
         let state = out.push_state(&self.modal.state);
@@ -96,9 +95,9 @@ impl Control<'_> {
     }
 
     /// The arc from where the axes were to where they are now.
-    fn arc(&self, block: &Block, (joints, known): &(Vec<f64>, u64), clockwise: bool) -> Result<Arc, Mistake> {
+    fn arc(&self, block: &Block, clockwise: bool) -> Result<Arc, Mistake> {
         let plane = self.modal.plane.unwrap_or(Plane::Xy);
-        let ends = [(joints, *known), (&self.joints, self.known)];
+        let ends = [(&self.before.1, self.before.2), (&self.joints, self.known)];
         let [Some(start), Some(end)] = ends.map(|(joints, known)| self.point(joints, known)) else {
             return Err(Mistake::NoPosition);
         };

@@ -39,7 +39,13 @@ impl Motion {
     /// [known](Move::known) are zero.
     #[inline]
     pub fn joints(&self, of: &Move) -> &[f64] {
-        &self.joints[of.joints as usize..][..self.axes]
+        self.joints_at(of.joints)
+    }
+
+    /// The joints that begin there in their column.
+    #[inline]
+    pub fn joints_at(&self, at: u32) -> &[f64] {
+        &self.joints[at as usize..][..self.axes]
     }
 
     /// The state during an item.
@@ -80,6 +86,11 @@ impl Motion {
     #[inline]
     pub fn push(&mut self, item: Item) {
         self.items.push(item);
+    }
+
+    /// Takes all items out but the first ones, so many.
+    pub fn truncate(&mut self, items: usize) {
+        self.items.truncate(items);
     }
 
     /// Empties it.

@@ -1,41 +1,24 @@
 //! A program against its CL: point by point and event by event, in their order.
 
+use super::agreement::Agreement;
 use super::habit::Habit;
-use super::mismatch::Difference;
+use super::judgement::{Judgement, Reached};
+use super::mismatch::{Difference, Found};
 use super::pose::{Pose, Solver};
 use super::tolerance::Tolerance;
-use super::wanted::{Wanted, WantedState, WantedStream, WantedWhat};
-use crate::certificate::Extreme;
+use super::wanted::{Wanted, WantedStream, WantedWhat};
+use super::words::{self, PointReached};
 use crate::cl::Reader;
 use crate::diagnostic::Diagnostic;
-use crate::dialect::meaning::{Side, Spindle};
+use crate::dialect::meaning::Spindle;
 use crate::dialect::table::Table;
 use crate::machine::Machine;
-use crate::motion::{Event, Feed, Item, Law, Motion, Move, State, What};
+use crate::motion::{Event, Item, Law, Motion, Move, State, What};
 use crate::nc::dialect::Dialect;
-use std::collections::BTreeSet;
-use std::fmt;
 use std::io::{self, Read};
 
 /// So many differences are told.
 const MOST_DIFFERENCES: u64 = 20;
-
-/// What a comparison has found.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Agreement {
-    /// Points of the CL that the program reaches.
-    pub points: u64,
-    /// The largest distance of the tip from the CL's point, in millimetres, at the line of the program.
-    pub tip_mm: Extreme,
-    /// The largest angle of the tool axis from the CL's, in radians.
-    pub axis_rad: Extreme,
-    /// Blocks that the CL did not ask for: to the way out and the reference point.
-    pub retracts: u64,
-    /// Blocks that the CL did not ask for: on the way to the first point behind a retract or a tool change.
-    pub approaches: u64,
-    /// Differences.
-    pub differences: u64,
-}
 
 /// Compares a program with a CL as it is read.
 pub struct Comparison<'a> {
@@ -43,6 +26,7 @@ pub struct Comparison<'a> {
     stream: WantedStream<'a>,
     habit: Habit,
     tolerance: Tolerance<'a>,
+    judgement: Judgement,
     /// Where the tool is.
     at: Option<Pose>,
     /// Whether blocks may lead to the next point that the CL does not know.
@@ -55,9 +39,37 @@ pub struct Comparison<'a> {
     way_out: Vec<Option<f64>>,
     /// Whether the program has said that it is over.
     has_ended: bool,
-    /// What has been told of states, until it is right again.
-    told: BTreeSet<Difference>,
+    /// The points that the last items reached, and the differences found in them.
+    reached: Vec<PointReached>,
+    found: Vec<FoundAt>,
     agreement: Agreement,
+}
+
+/// A difference, at a line of the program and perhaps one of the CL.
+struct FoundAt {
+    found: Found,
+    line: u64,
+    cl_line: Option<u64>,
+}
+
+/// A move and where it leads.
+#[derive(Clone, Copy)]
+struct Gone<'m> {
+    it: &'m Move,
+    line: u64,
+    pose: Pose,
+    motion: &'m Motion,
+    state: &'m State,
+}
+
+impl Gone<'_> {
+    fn joints(&self) -> &[f64] {
+        self.motion.joints(self.it)
+    }
+
+    fn cuts(&self) -> bool {
+        self.it.law != Law::Rapid
+    }
 }
 
 impl<'a> Comparison<'a> {
@@ -74,72 +86,87 @@ impl<'a> Comparison<'a> {
             stream: WantedStream::new(reader, machine),
             habit: Habit::of(machine, dialect, table),
             tolerance: Tolerance::of(machine, dialect),
+            judgement: Judgement::new(),
             at: None,
             may_approach: true,
             approach: [None; 2],
             lowered_at: None,
             way_out: vec![None; machine.axes.len()],
             has_ended: false,
-            told: BTreeSet::new(),
+            reached: Vec::new(),
+            found: Vec::new(),
             agreement: Agreement::default(),
         }
     }
 
-    /// The program is over.
+    /// Takes items that leave the tool at these poses, as far as they are known.
+    pub(super) fn take(
+        &mut self,
+        motion: &Motion,
+        poses: &[Option<Pose>],
+        solver: &mut Solver<'_>,
+        file: &str,
+        tell: &mut dyn FnMut(Diagnostic),
+    ) -> io::Result<()> {
+        for (item, pose) in motion.items().iter().zip(poses) {
+            self.item(item, motion, *pose)?;
+        }
+        let Self { reached, tolerance, found, .. } = self;
+        words::judge(reached, motion, solver, tolerance, &mut |it, point| {
+            found.push(FoundAt { found: it, line: point.line, cl_line: Some(point.cl_line) });
+        });
+        reached.clear();
+        self.tell_all(file, tell);
+        Ok(())
+    }
+
+    /// The program is over, with this line.
     ///
     /// # Errors
     /// When the CL cannot be read.
-    pub fn finish(mut self, program: (&str, u64), tell: &mut dyn FnMut(Diagnostic)) -> io::Result<Agreement> {
-        self.pass_points_at_rest(tell)?;
-        if let Some(wanted) = self.stream.peek(tell)? {
-            let message = "the program is over before the CL is".to_owned();
-            self.differ(Difference::Elsewhere, message, program, Some(wanted.line), tell);
+    pub(super) fn finish(
+        mut self,
+        (file, line): (&str, u64),
+        tell: &mut dyn FnMut(Diagnostic),
+    ) -> io::Result<Agreement> {
+        self.pass_points_at_rest()?;
+        if let Some(wanted) = self.stream.peek()? {
+            self.differ(Difference::Elsewhere, "the program is over before the CL is", line, Some(wanted.line));
         }
         if self.habit.ends && !self.has_ended {
-            let message = "nothing says that the program is over".to_owned();
-            self.differ(Difference::Order, message, program, None, tell);
+            self.differ(Difference::Order, "nothing says that the program is over", line, None);
         }
+        self.tell_all(file, tell);
         self.agreement.differences += u64::from(self.stream.has_errors);
         Ok(self.agreement)
     }
 
-    /// Takes an item that leaves the tool at a pose, if that is known.
-    pub(super) fn take(
-        &mut self,
-        item: &Item,
-        motion: &Motion,
-        (after, solver): (Option<Pose>, &mut Solver<'_>),
-        file: &str,
-        tell: &mut dyn FnMut(Diagnostic),
-    ) -> io::Result<()> {
-        let program = (file, item.line);
-        match &item.what {
-            What::Event(event) => self.event(*event, motion.state(item), program, tell),
-            What::Move(it) if it.is_machine => {
-                self.retract(it, motion);
-                if it.law != Law::Rapid {
-                    let message = "the tool goes to its way out at feed".to_owned();
-                    self.differ(Difference::Kind, message, program, None, tell);
-                }
+    fn item(&mut self, item: &Item, motion: &Motion, pose: Option<Pose>) -> io::Result<()> {
+        let state = motion.state(item);
+        match (&item.what, pose) {
+            (What::Event(event), _) => self.event(*event, state, item.line),
+            (What::Move(it), _) if it.is_machine => {
+                self.retract(it, motion, item.line);
                 Ok(())
             }
-            What::Move(it) => match after {
-                Some(pose) => self.go(it, motion, motion.state(item), (pose, solver), program, tell),
-                None => {
-                    self.note_approach(it, item.line);
-                    Ok(())
-                }
-            },
+            (What::Move(it), Some(pose)) => self.go(Gone { it, line: item.line, pose, motion, state }),
+            (What::Move(it), None) => {
+                self.note_approach(it, item.line);
+                Ok(())
+            }
         }
     }
 
-    fn retract(&mut self, it: &Move, motion: &Motion) {
+    fn retract(&mut self, it: &Move, motion: &Motion, line: u64) {
         self.agreement.retracts += 1;
         self.may_approach = true;
         for (axis, joint) in motion.joints(it).iter().enumerate().filter(|(axis, _)| it.named & 1 << axis != 0) {
             self.way_out[axis] = (it.known & 1 << axis != 0).then_some(*joint);
         }
         self.at = None;
+        if it.law != Law::Rapid {
+            self.differ(Difference::Kind, "the tool goes to its way out at feed", line, None);
+        }
     }
 
     fn note_approach(&mut self, it: &Move, line: u64) {
@@ -151,75 +178,58 @@ impl<'a> Comparison<'a> {
     }
 
     /// A motion that ends at a pose.
-    fn go(
-        &mut self,
-        it: &Move,
-        motion: &Motion,
-        state: &State,
-        (pose, solver): (Pose, &mut Solver<'_>),
-        program: (&str, u64),
-        tell: &mut dyn FnMut(Diagnostic),
-    ) -> io::Result<()> {
-        let joints = motion.joints(it);
+    fn go(&mut self, gone: Gone<'_>) -> io::Result<()> {
+        let Gone { line, pose, .. } = gone;
         loop {
-            let wanted = self.stream.peek(tell)?;
-            match wanted.map(|wanted| (wanted, wanted.what)) {
-                Some((wanted, WantedWhat::Point { pose: there, is_cut, state: its })) => {
-                    if self.tolerance.agrees(pose, there, joints) {
-                        self.judge_approach(it, program.0, wanted.line, tell);
-                        self.judge_words(joints, there, solver, program, wanted.line, tell);
-                        self.reached(pose, there, program.1);
-                        self.judge(is_cut, it.law != Law::Rapid, &its, state, program, wanted.line, tell);
+            let wanted = self.stream.peek()?;
+            match wanted.map(|wanted| (wanted.line, wanted.what)) {
+                Some((cl_line, WantedWhat::Point { pose: there, is_cut, state })) => {
+                    if self.tolerance.agrees(pose, there, gone.joints()) {
                         self.stream.pass(1);
+                        self.reach(&gone, there, cl_line);
+                        let reached = Reached { is_cut, cuts: gone.cuts(), wanted: state, state: *gone.state };
+                        self.judge(&reached, line, cl_line);
                         return Ok(());
                     }
-                    let is_at_rest = self.at.is_some_and(|at| self.tolerance.agrees(at, there, joints));
-                    if is_at_rest || self.is_on_arc(it, motion, there) {
-                        self.agreement.points += 1;
-                        self.stream.pass(1);
-                        continue;
+                    let is_at_rest = self.at.is_some_and(|at| self.tolerance.agrees(at, there, gone.joints()));
+                    if !is_at_rest && !self.is_on_arc(&gone, there) {
+                        return self.unasked(&gone);
                     }
+                    self.agreement.points += 1;
+                    self.stream.pass(1);
                 }
-                Some((wanted, WantedWhat::Event(event))) => {
-                    if self.at.is_some_and(|at| self.tolerance.agrees(pose, at, joints)) {
+                Some((cl_line, WantedWhat::Event(event))) => {
+                    if self.at.is_some_and(|at| self.tolerance.agrees(pose, at, gone.joints())) {
                         return Ok(());
                     }
                     let message = format!("{} is missing before this block", named(event));
-                    self.differ(Difference::Order, message, program, Some(wanted.line), tell);
+                    self.differ(Difference::Order, message, line, Some(cl_line));
                     self.stream.pass(1);
-                    continue;
                 }
-                None => {}
+                None => return self.unasked(&gone),
             }
-            return self.unasked(it, joints, pose, wanted, program, tell);
         }
     }
 
     /// A motion to a place that the CL does not ask for next.
-    fn unasked(
-        &mut self,
-        it: &Move,
-        joints: &[f64],
-        pose: Pose,
-        wanted: Option<Wanted>,
-        program: (&str, u64),
-        tell: &mut dyn FnMut(Diagnostic),
-    ) -> io::Result<()> {
-        let stays = self.at.is_some_and(|at| self.tolerance.agrees(pose, at, joints));
+    fn unasked(&mut self, gone: &Gone<'_>) -> io::Result<()> {
+        let Gone { it, line, pose, .. } = *gone;
+        let wanted = self.stream.peek()?;
+        let stays = self.at.is_some_and(|at| self.tolerance.agrees(pose, at, gone.joints()));
         if stays {
             return Ok(());
         }
         if self.may_approach && wanted.is_some() {
-            self.note_approach(it, program.1);
+            self.note_approach(it, line);
             self.at = Some(pose);
             return Ok(());
         }
         let tolerance = &self.tolerance;
         let is_there = |wanted: &Wanted| match wanted.what {
-            WantedWhat::Point { pose: there, .. } => tolerance.agrees(pose, there, joints),
+            WantedWhat::Point { pose: there, .. } => tolerance.agrees(pose, there, gone.joints()),
             WantedWhat::Event(_) => false,
         };
-        let later = self.stream.ahead(tell)?.position(is_there);
+        let later = self.stream.ahead()?.position(is_there);
         let message = match (wanted.map(|wanted| wanted.what), later) {
             (Some(_), Some(left_out)) => format!("{left_out} points of the CL are left out before this block"),
             (Some(WantedWhat::Point { pose: there, .. }), None) => {
@@ -229,59 +239,57 @@ impl<'a> Comparison<'a> {
             }
             _ => "the program goes on where the CL is over".to_owned(),
         };
-        self.differ(Difference::Elsewhere, message, program, wanted.map(|wanted| wanted.line), tell);
+        self.differ(Difference::Elsewhere, message, line, wanted.map(|wanted| wanted.line));
         self.stream.pass(later.map_or(usize::from(wanted.is_some() && later.is_none()), |later| later + 1));
         self.at = Some(pose);
         Ok(())
     }
 
-    /// The words of a point that is reached: each is the solution's but for its last digit.
-    fn judge_words(
-        &mut self,
-        joints: &[f64],
-        there: Pose,
-        solver: &mut Solver<'_>,
-        program: (&str, u64),
-        cl_line: u64,
-        tell: &mut dyn FnMut(Diagnostic),
-    ) {
-        let Some(off) = solver.off(there, joints) else { return };
-        if let Some((axis, by)) = self.tolerance.wrong_word(&off) {
-            let message = format!("{axis} is off by {by:.4} from where the CL's point needs it");
-            self.differ(Difference::Elsewhere, message, program, Some(cl_line), tell);
+    /// A point of the CL is reached.
+    fn reach(&mut self, gone: &Gone<'_>, there: Pose, cl_line: u64) {
+        let Gone { it, line, pose, .. } = *gone;
+        if let Some(at) = self.lowered_at.take()
+            && it.named & !self.habit.last != 0
+        {
+            let message = "the tool is lowered before the other axes are in place";
+            self.differ(Difference::WayOut, message, at, Some(cl_line));
+        }
+        self.reached.push(PointReached { joints: it.joints, wanted: there, line, cl_line });
+        self.agreement.reach(pose, there, line);
+        self.at = Some(pose);
+        if self.may_approach {
+            self.may_approach = false;
+            self.way_out.fill(None);
         }
     }
 
-    /// The first point behind a way out, reached by this move: the axes that lower the tool move last.
-    fn judge_approach(&mut self, it: &Move, file: &str, cl_line: u64, tell: &mut dyn FnMut(Diagnostic)) {
-        let Some(at) = self.lowered_at.take() else { return };
-        if it.named & !self.habit.last != 0 {
-            let message = "the tool is lowered before the other axes are in place".to_owned();
-            self.differ(Difference::WayOut, message, (file, at), Some(cl_line), tell);
+    /// What is in force at a point that is reached, and on the way to the first one.
+    fn judge(&mut self, reached: &Reached, line: u64, cl_line: u64) {
+        let [rapid, feed] = std::mem::take(&mut self.approach);
+        let (at, message) = match reached.is_cut {
+            true => (rapid, "the approach is in rapid traverse"),
+            false => (feed, "the approach is at feed"),
+        };
+        if let Some(at) = at.filter(|_| reached.is_cut == reached.cuts) {
+            self.differ(Difference::Kind, message, at, Some(cl_line));
         }
+        let Self { judgement, habit, tolerance, found, .. } = self;
+        judgement.judge(reached, habit, tolerance, |it| {
+            found.push(FoundAt { found: it, line, cl_line: Some(cl_line) });
+        });
     }
 
     /// Whether a point lies on the arc that the tool is on, the axis as it is.
-    fn is_on_arc(&self, it: &Move, motion: &Motion, there: Pose) -> bool {
-        match it.law {
-            Law::Arc(index) => self.tolerance.is_on_arc(motion.arc(index), there),
+    fn is_on_arc(&self, gone: &Gone<'_>, there: Pose) -> bool {
+        match gone.it.law {
+            Law::Arc(index) => self.tolerance.is_on_arc(gone.motion.arc(index), there),
             _ => false,
         }
     }
 
-    fn reached(&mut self, pose: Pose, there: Pose, line: u64) {
-        let (tip_mm, axis_rad) = pose.apart(there);
-        self.agreement.points += 1;
-        self.agreement.tip_mm.meet(tip_mm, line);
-        self.agreement.axis_rad.meet(axis_rad, line);
-        self.at = Some(pose);
-        self.may_approach = false;
-        self.way_out.fill(None);
-    }
-
     /// Points at which the tool already is need no block.
-    fn pass_points_at_rest(&mut self, tell: &mut dyn FnMut(Diagnostic)) -> io::Result<()> {
-        while let Some(Wanted { what: WantedWhat::Point { pose: there, .. }, .. }) = self.stream.peek(tell)?
+    fn pass_points_at_rest(&mut self) -> io::Result<()> {
+        while let Some(Wanted { what: WantedWhat::Point { pose: there, .. }, .. }) = self.stream.peek()?
             && self.at.is_some_and(|at| self.tolerance.is_same(at, there))
         {
             self.agreement.points += 1;
@@ -290,39 +298,32 @@ impl<'a> Comparison<'a> {
         Ok(())
     }
 
-    fn event(
-        &mut self,
-        event: Event,
-        state: &State,
-        program: (&str, u64),
-        tell: &mut dyn FnMut(Diagnostic),
-    ) -> io::Result<()> {
-        self.pass_points_at_rest(tell)?;
+    fn event(&mut self, event: Event, state: &State, line: u64) -> io::Result<()> {
+        self.pass_points_at_rest()?;
         if matches!(event, Event::ToolChange(_) | Event::End) {
-            self.judge_way_out(event, state, program, tell);
+            self.judge_way_out(event, state, line);
         }
         if event == Event::End {
             self.has_ended = true;
             return Ok(());
         }
-        let wanted = self.stream.peek(tell)?;
+        let wanted = self.stream.peek()?;
+        self.may_approach |= matches!(event, Event::ToolChange(_));
         if wanted.is_some_and(|wanted| wanted.what == WantedWhat::Event(event)) {
             self.stream.pass(1);
-            self.may_approach |= matches!(event, Event::ToolChange(_));
             return Ok(());
         }
-        let later = self.stream.ahead(tell)?.position(|wanted| wanted.what == WantedWhat::Event(event));
+        let later = self.stream.ahead()?.any(|wanted| wanted.what == WantedWhat::Event(event));
         let message = match later {
-            Some(_) => format!("{} comes before points of the CL that stand before it", named(event)),
-            None => format!("the CL does not ask for {}", named(event)),
+            true => format!("{} comes before points of the CL that stand before it", named(event)),
+            false => format!("the CL does not ask for {}", named(event)),
         };
-        self.differ(Difference::Order, message, program, wanted.map(|wanted| wanted.line), tell);
-        self.may_approach |= matches!(event, Event::ToolChange(_));
+        self.differ(Difference::Order, message, line, wanted.map(|wanted| wanted.line));
         Ok(())
     }
 
     /// Whether the tool has been taken out as the description does.
-    fn judge_way_out(&mut self, event: Event, state: &State, program: (&str, u64), tell: &mut dyn FnMut(Diagnostic)) {
+    fn judge_way_out(&mut self, event: Event, state: &State, line: u64) {
         let habit = &self.habit.way_out[usize::from(event == Event::End)];
         let is_out = habit.iter().zip(&self.way_out).all(|(habit, found)| match (habit, found) {
             (Some(wanted), Some(found)) => self.tolerance.is_same_word(*wanted, *found),
@@ -331,133 +332,28 @@ impl<'a> Comparison<'a> {
         });
         if !is_out {
             let message = format!("{} comes while the tool is not at its way out", named(event));
-            self.differ(Difference::WayOut, message, program, None, tell);
+            self.differ(Difference::WayOut, message, line, None);
         }
         if self.habit.stops_spindle && state.spindle != Spindle::Off {
             let message = format!("{} comes while the spindle turns", named(event));
-            self.differ(Difference::Spindle, message, program, None, tell);
+            self.differ(Difference::Spindle, message, line, None);
         }
     }
 
-    /// The state at a point that is reached.
-    #[allow(clippy::too_many_arguments)]
-    fn judge(
-        &mut self,
-        is_cut: bool,
-        cuts: bool,
-        wanted: &WantedState,
-        state: &State,
-        program: (&str, u64),
-        line: u64,
-        tell: &mut dyn FnMut(Diagnostic),
-    ) {
-        let [rapid, feed] = std::mem::take(&mut self.approach);
-        if let Some(at) = if is_cut { rapid } else { feed }.filter(|_| is_cut == cuts) {
-            let message = if is_cut { "the approach is in rapid traverse" } else { "the approach is at feed" };
-            self.differ(Difference::Kind, message.to_owned(), (program.0, at), Some(line), tell);
-        }
-        let mut found: Vec<(Difference, String)> = Vec::new();
-        if is_cut != cuts {
-            let message = if cuts {
-                "at feed, where the CL is in rapid traverse"
-            } else {
-                "in rapid traverse, where the CL cuts"
-            };
-            found.push((Difference::Kind, message.to_owned()));
-        }
-        found.extend(self.tool(is_cut, wanted, state).map(|message| (Difference::Tool, message)));
-        found.extend(self.habitual(state).map(|message| (Difference::State, message)));
-        if is_cut {
-            found.extend(self.feed(wanted, state).map(|message| (Difference::Feed, message)));
-            found.extend(spindle(wanted, state).map(|message| (Difference::Spindle, message)));
-            let coolant = (wanted.coolant != state.coolant).then(|| "another coolant is on than in the CL".to_owned());
-            found.extend(coolant.map(|message| (Difference::Coolant, message)));
-        }
-        self.told.retain(|told| *told == Difference::Kind || found.iter().any(|(difference, _)| difference == told));
-        for (difference, message) in found {
-            if difference == Difference::Kind || self.told.insert(difference) {
-                self.differ(difference, message, program, Some(line), tell);
+    fn differ(&mut self, difference: Difference, message: impl Into<String>, line: u64, cl_line: Option<u64>) {
+        self.found.push(FoundAt { found: (difference, message.into()), line, cl_line });
+    }
+
+    /// Tells what was found, in the order of the program.
+    fn tell_all(&mut self, file: &str, tell: &mut dyn FnMut(Diagnostic)) {
+        self.stream.diagnostics.drain(..).for_each(&mut *tell);
+        self.found.sort_by_key(|found| found.line);
+        for FoundAt { found: (difference, message), line, cl_line } in self.found.drain(..) {
+            self.agreement.differences += 1;
+            if self.agreement.differences <= MOST_DIFFERENCES {
+                tell(difference.diagnostic(message, (file, line), cl_line.map(|line| (self.cl.as_str(), line))));
             }
         }
-    }
-
-    fn tool(&self, is_cut: bool, wanted: &WantedState, state: &State) -> Option<String> {
-        let (tool, register) = wanted.tool?;
-        if state.tool != Some(tool) {
-            let found = state.tool.map_or("no tool".to_owned(), |tool| format!("tool {tool}"));
-            return Some(format!("{found} is in the spindle, in the CL it is tool {tool}"));
-        }
-        let wanted_register =
-            if self.habit.has_register_of_tool { Some(register) } else { self.habit.state.length_register };
-        // The length comes with the last block of an approach, and a point may be reached before.
-        if is_cut && state.length_register != wanted_register {
-            let said = |register: Option<u32>| register.map_or("none".to_owned(), |register| register.to_string());
-            let (found, wanted) = (said(state.length_register), said(wanted_register));
-            return Some(format!("the length register is {found} instead of {wanted}"));
-        }
-        (state.offset != self.habit.state.offset).then(|| "another work offset is in force".to_owned())
-    }
-
-    /// What the head of a program sets by the description.
-    fn habitual(&self, state: &State) -> Option<String> {
-        let habit = &self.habit.state;
-        if state.plane != habit.plane {
-            return Some("another plane of arcs is in force".to_owned());
-        }
-        if state.path != habit.path {
-            return Some("corners are passed in another way".to_owned());
-        }
-        (state.side != Side::Off).then(|| "the cutter's radius is compensated".to_owned())
-    }
-
-    fn feed(&self, wanted: &WantedState, state: &State) -> Option<String> {
-        let same = match (wanted.feed, state.feed) {
-            (None, _) => true,
-            (Some(Feed::PerMinute(a)), Some(Feed::PerMinute(b))) => (a - b).abs() <= self.tolerance.feed_mm_per_min,
-            (Some(Feed::PerRevolution(a)), Some(Feed::PerRevolution(b))) => {
-                (a - b).abs() <= self.tolerance.feed_mm_per_rev
-            }
-            _ => false,
-        };
-        (!same).then(|| format!("the feed is {} instead of {}", fed(state.feed), fed(wanted.feed)))
-    }
-
-    fn differ(
-        &mut self,
-        difference: Difference,
-        message: String,
-        program: (&str, u64),
-        cl_line: Option<u64>,
-        tell: &mut dyn FnMut(Diagnostic),
-    ) {
-        self.agreement.differences += 1;
-        if self.agreement.differences <= MOST_DIFFERENCES {
-            tell(difference.diagnostic(message, program, cl_line.map(|line| (self.cl.as_str(), line))));
-        }
-    }
-}
-
-fn spindle(wanted: &WantedState, state: &State) -> Option<String> {
-    if wanted.spindle != state.spindle {
-        let doing = |spindle| match spindle {
-            Spindle::Off => "stands",
-            Spindle::Clockwise => "turns clockwise",
-            Spindle::Counterclockwise => "turns counterclockwise",
-        };
-        return Some(format!("the spindle {}, in the CL it {}", doing(state.spindle), doing(wanted.spindle)));
-    }
-    let is_on = wanted.spindle != Spindle::Off;
-    // Speeds are written as whole numbers.
-    let differs = (wanted.speed_rpm - state.speed_rpm).abs() > 0.5;
-    (is_on && differs).then(|| format!("the speed is {} instead of {}", state.speed_rpm, wanted.speed_rpm))
-}
-
-fn fed(feed: Option<Feed>) -> String {
-    match feed {
-        Some(Feed::PerMinute(value)) => format!("{value} mm/min"),
-        Some(Feed::PerRevolution(value)) => format!("{value} mm/rev"),
-        Some(Feed::Inverse(value)) => format!("{value} blocks a minute"),
-        None => "nothing".to_owned(),
     }
 }
 
@@ -468,19 +364,5 @@ fn named(event: Event) -> String {
         Event::Stop => "a stop".to_owned(),
         Event::OptionalStop => "an optional stop".to_owned(),
         Event::End => "the end of the program".to_owned(),
-    }
-}
-
-impl fmt::Display for Agreement {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { points, tip_mm, axis_rad, retracts, approaches, differences } = self;
-        writeln!(f, "against the CL: {differences} differences")?;
-        writeln!(
-            f,
-            "  {:<22}{points} points reached, {approaches} blocks of approaches, {retracts} to the way out",
-            "toolpath"
-        )?;
-        writeln!(f, "  {:<22}{:.6} mm at line {}", "largest tip error", tip_mm.value, tip_mm.line)?;
-        write!(f, "  {:<22}{:.6} deg at line {}", "largest axis error", axis_rad.value.to_degrees(), axis_rad.line)
     }
 }

@@ -16,6 +16,9 @@ pub(super) enum Difference {
     State,
 }
 
+/// A difference, and how it is told.
+pub(super) type Found = (Difference, String);
+
 static ELSEWHERE: Code = Code {
     id: "E1210",
     title: "the program goes elsewhere than the CL",
@@ -88,6 +91,11 @@ pub static DIFFERENCES: [&Code; 10] =
     [&super::UNREADABLE, &ELSEWHERE, &KIND, &FEED, &SPINDLE, &COOLANT, &TOOL, &ORDER, &WAY_OUT, &STATE];
 
 impl Difference {
+    /// Whether any motion shows it; else only cuts do.
+    pub(super) fn is_of_every_motion(self) -> bool {
+        !matches!(self, Self::Feed | Self::Spindle | Self::Coolant)
+    }
+
     fn code(self) -> &'static Code {
         match self {
             Self::Elsewhere => &ELSEWHERE,

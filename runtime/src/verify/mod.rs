@@ -3,8 +3,10 @@
 //! The survey (`survey`) says where it goes, how long it is, and what in it is suspicious. With a CL it is compared
 //! (`comparison`): point by point, event by event, in order. And it can be written as CL (`reverse`).
 
+mod agreement;
 mod comparison;
 mod habit;
+mod judgement;
 mod mismatch;
 mod pose;
 mod reverse;
@@ -12,19 +14,21 @@ mod survey;
 mod suspicion;
 mod tolerance;
 mod wanted;
+mod words;
 
-pub use comparison::{Agreement, Comparison};
+pub use agreement::Agreement;
+pub use comparison::Comparison;
 pub use mismatch::DIFFERENCES;
 pub use reverse::ReverseCl;
 pub use survey::{Survey, ToolUse};
 pub use suspicion::SUSPICIONS;
 
-use crate::control::Control;
+use crate::control::{Control, Fault};
 use crate::diagnostic::{Code, Diagnostic, Place};
 use crate::dialect::table::Table;
 use crate::kinematics::Kinematics;
 use crate::machine::Machine;
-use crate::motion::{Item, Motion, What};
+use crate::motion::{Motion, What};
 use pose::{Pose, Solver};
 use std::io;
 
@@ -32,14 +36,20 @@ use std::io;
 pub struct Verifier<'m> {
     file: String,
     control: Control<'m>,
-    machine: &'m Machine,
     solver: Solver<'m>,
-    motion: Motion,
+    comparison: Option<Comparison<'m>>,
+    reverse: Option<ReverseCl<'m>>,
     survey: Survey,
-    /// Where the tool is, once every axis is known.
-    pose: Option<Pose>,
+    /// What has been read and not looked at yet, and where the tool is behind each item and before the first one.
+    motion: Motion,
+    poses: Vec<Option<Pose>>,
+    before: Option<Pose>,
+    last_line: u64,
     errors: u32,
 }
+
+/// So many items are looked at together: what is done for many costs less, and they stay in the processor's cache.
+const TOGETHER: usize = 512;
 
 /// So many lines that cannot be read are told.
 const MOST_ERRORS: u32 = 20;
@@ -65,67 +75,88 @@ impl<'m> Verifier<'m> {
         Self {
             file: file.to_owned(),
             control: Control::new(table, &machine.axes, machine.tool()),
-            machine,
             solver: Solver::new(machine, kinematics),
-            motion: Motion::new(machine.axes.len()),
+            comparison: None,
+            reverse: None,
             survey: Survey::new(machine, table),
-            pose: None,
+            motion: Motion::new(machine.axes.len()),
+            poses: Vec::new(),
+            before: None,
+            last_line: 0,
             errors: 0,
         }
     }
 
-    /// Reads a line; compares it with the CL and writes it as CL, where that is asked for.
+    /// Compares it with a CL.
+    #[must_use]
+    pub fn against(self, comparison: Option<Comparison<'m>>) -> Self {
+        Self { comparison, ..self }
+    }
+
+    /// Writes it as CL.
+    #[must_use]
+    pub fn written_as(self, reverse: Option<ReverseCl<'m>>) -> Self {
+        Self { reverse, ..self }
+    }
+
+    /// Reads a line.
     ///
     /// # Errors
     /// When the CL cannot be read, or that which is written cannot.
-    pub fn line(
-        &mut self,
-        (text, number): (&str, u64),
-        comparison: &mut Option<Comparison<'_>>,
-        reverse: &mut Option<ReverseCl<'_>>,
-        tell: &mut dyn FnMut(Diagnostic),
-    ) -> io::Result<()> {
-        self.motion.clear();
-        if let Err((mistake, span)) = self.control.run(text, number, &mut self.motion) {
-            self.errors += 1;
-            if self.errors <= MOST_ERRORS {
-                let place = place(&self.file, number, text, span);
-                tell(Diagnostic::error(&UNREADABLE, mistake.to_string()).at(place, ""));
+    pub fn line(&mut self, text: &str, number: u64, tell: &mut dyn FnMut(Diagnostic)) -> io::Result<()> {
+        self.last_line = number;
+        let items = self.motion.items().len();
+        match self.control.run(text, number, &mut self.motion) {
+            Ok(()) => {
+                if self.motion.items()[items..].iter().any(|item| matches!(item.what, What::Move(_))) {
+                    self.survey.suspect_state(number, self.control.modal());
+                }
+                if self.motion.items().len() >= TOGETHER { self.look(tell) } else { Ok(()) }
             }
-            return Ok(());
+            Err(fault) => {
+                self.look(tell)?;
+                self.tell_unreadable(text, fault, tell);
+                Ok(())
+            }
         }
-        let Self { file, control, machine, solver, motion, survey, pose, .. } = self;
-        for item in motion.items() {
-            let (before, after) = (*pose, end(item, motion, machine, solver, *pose));
-            survey.take(item, motion, control.modal(), [before, after]);
-            if let Some(comparison) = comparison {
-                comparison.take(item, motion, (after, solver), file, tell)?;
-            }
-            if let Some(reverse) = reverse {
-                reverse.take(item, motion, after)?;
-            }
-            *pose = after;
+    }
+
+    fn tell_unreadable(&mut self, text: &str, (mistake, span): Fault, tell: &mut dyn FnMut(Diagnostic)) {
+        self.errors += 1;
+        if self.errors <= MOST_ERRORS {
+            let place = place(&self.file, self.last_line, text, span);
+            tell(Diagnostic::error(&UNREADABLE, mistake.to_string()).at(place, ""));
         }
+    }
+
+    /// Looks at what has been read.
+    fn look(&mut self, tell: &mut dyn FnMut(Diagnostic)) -> io::Result<()> {
+        let Self { file, solver, comparison, reverse, survey, motion, poses, before, .. } = self;
+        solver.poses(motion, *before, poses);
+        survey.take(motion, poses, *before);
+        if let Some(comparison) = comparison {
+            comparison.take(motion, poses, solver, file, tell)?;
+        }
+        if let Some(reverse) = reverse {
+            motion.items().iter().zip(&*poses).try_for_each(|(item, pose)| reverse.take(item, motion, *pose))?;
+        }
+        *before = poses.last().copied().unwrap_or(*before);
+        motion.clear();
         Ok(())
     }
 
-    /// Whether every line could be read.
-    pub fn is_readable(&self) -> bool {
-        self.errors == 0
-    }
-
-    /// What the program does, and what is suspicious in it.
-    pub fn finish(self, tell: &mut dyn FnMut(Diagnostic)) -> Survey {
+    /// What the program does, what is suspicious in it, and how it agrees with the CL.
+    ///
+    /// # Errors
+    /// As [`Self::line`].
+    pub fn finish(mut self, tell: &mut dyn FnMut(Diagnostic)) -> io::Result<(Survey, Option<Agreement>)> {
+        self.look(tell)?;
+        self.reverse.map(ReverseCl::end).transpose()?;
+        let end = (self.file.as_str(), self.last_line);
+        let agreement = self.comparison.map(|comparison| comparison.finish(end, tell)).transpose()?;
         self.survey.suspicions(&self.file).into_iter().for_each(tell);
-        self.survey
+        Ok((self.survey, agreement))
     }
-}
-
-/// Where the tool is behind an item.
-fn end(item: &Item, motion: &Motion, machine: &Machine, solver: &mut Solver<'_>, before: Option<Pose>) -> Option<Pose> {
-    let What::Move(it) = &item.what else { return before };
-    let all = (1 << machine.axes.len()) - 1;
-    (it.known == all).then(|| solver.pose(motion.joints(it)))
 }
 
 /// A place in a line that is at hand.

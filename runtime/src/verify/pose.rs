@@ -2,7 +2,8 @@
 
 use crate::compensation::Compensated;
 use crate::kinematics::{JointBlock, Kinematics, LANES, Lane, Outcome, PoseBlock, SolutionBlock, Tolerances};
-use crate::machine::{Axis, Machine, Motion, Rule};
+use crate::machine::{Axis, Machine, Motion as AxisMotion, Rule};
+use crate::motion::{Item, Motion, What};
 use crate::vector::{Vec3, angle_rad, norm, sub};
 
 /// Tip in millimetres and unit tool axis, in the machine frame with every axis at zero.
@@ -42,46 +43,70 @@ impl<'m> Solver<'m> {
         }
     }
 
-    /// The pose at these joints.
-    pub(super) fn pose(&mut self, joints: &[f64]) -> Pose {
-        if self.machine.errors.is_empty() {
-            let (tip_mm, axis) = self.machine.chain.pose(joints, self.machine.tool());
-            return Pose { tip_mm, axis };
-        }
-        self.joints.iter_mut().zip(joints).for_each(|(lanes, joint)| *lanes = [*joint; LANES]);
-        self.kinematics.forward(&self.joints, self.machine.tool(), &mut self.poses);
-        Pose { tip_mm: self.poses.tip(0), axis: self.poses.axis(0) }
-    }
-
-    /// How far joints are from the nearest solution for a pose, axis by axis in millimetres and degrees; `None` where the machine
-    /// has none.
-    pub(super) fn off(&mut self, pose: Pose, joints: &[f64]) -> Option<Vec<f64>> {
-        let Self { machine, kinematics, poses, solutions, .. } = self;
-        (0..LANES).for_each(|lane| poses.set(lane, pose.tip_mm, pose.axis));
-        let surplus: Vec<Lane> = kinematics.surplus_axes().iter().map(|&axis| [joints[axis]; LANES]).collect();
-        kinematics.inverse(poses, &surplus, machine.tool(), solutions);
-        let tolerances = Tolerances { axis_rad: machine.axis_tolerance_rad, plane_mm: machine.plane_tolerance_mm };
-        match solutions.outcome(0, tolerances) {
-            Outcome::Reached => {}
-            Outcome::FreeAtPole { .. } => return self.off_at_pole(pose, joints),
-            Outcome::Missed(_) => return None,
-        }
-        let off = |branch: &JointBlock| -> Vec<f64> {
-            let axes = machine.axes.iter().zip(joints).zip(branch);
-            axes.map(|((axis, found), solved)| apart(axis, *found, solved[0])).collect()
+    /// Where the tool is behind each item of a motion that begins at a pose, as far as every axis is known.
+    pub(super) fn poses(&mut self, motion: &Motion, mut at: Option<Pose>, out: &mut Vec<Option<Pose>>) {
+        let all = (1 << motion.axes()) - 1;
+        let known = |item: &Item| match &item.what {
+            What::Move(it) => Some((it.known == all).then_some(it.joints)),
+            What::Event(_) => None,
         };
-        let greatest = |off: &Vec<f64>| off.iter().copied().fold(0.0, f64::max);
-        solutions.branches.iter().map(off).min_by(|a, b| greatest(a).total_cmp(&greatest(b)))
+        out.clear();
+        for items in motion.items().chunks(LANES) {
+            let moves = items.iter().enumerate().filter_map(|(lane, item)| known(item).flatten().map(|at| (lane, at)));
+            for (lane, joints) in moves {
+                self.set_joints(lane, motion.joints_at(joints));
+            }
+            self.kinematics.forward(&self.joints, self.machine.tool(), &mut self.poses);
+            for (lane, item) in items.iter().enumerate() {
+                let pose = Pose { tip_mm: self.poses.tip(lane), axis: self.poses.axis(lane) };
+                at = known(item).map_or(at, |known| known.map(|_| pose));
+                out.push(at);
+            }
+        }
     }
-}
 
-impl Solver<'_> {
+    fn set_joints(&mut self, lane: usize, joints: &[f64]) {
+        self.joints.iter_mut().zip(joints).for_each(|(lanes, joint)| lanes[lane] = *joint);
+    }
+
+    /// Solves for up to [`LANES`] poses, near these joints where the pose leaves some of them open.
+    pub(super) fn solve<'j>(&mut self, points: impl Iterator<Item = (Pose, &'j [f64])>) {
+        for (lane, (pose, joints)) in points.enumerate() {
+            self.poses.set(lane, pose.tip_mm, pose.axis);
+            self.set_joints(lane, joints);
+        }
+        let Self { machine, kinematics, poses, solutions, joints, .. } = self;
+        let surplus: Vec<Lane> = kinematics.surplus_axes().iter().map(|&axis| joints[axis]).collect();
+        kinematics.inverse(poses, &surplus, machine.tool(), solutions);
+    }
+
+    /// How far joints are from the nearest solution of a lane, axis by axis in millimetres and degrees; false where the machine has
+    /// none for its pose.
+    pub(super) fn off(&mut self, lane: usize, pose: Pose, joints: &[f64], out: &mut Vec<f64>) -> bool {
+        let Self { machine, solutions, .. } = self;
+        let tolerances = Tolerances { axis_rad: machine.axis_tolerance_rad, plane_mm: machine.plane_tolerance_mm };
+        out.clear();
+        match solutions.outcome(lane, tolerances) {
+            Outcome::Reached => {}
+            Outcome::FreeAtPole { .. } => return self.off_at_pole(pose, joints, out),
+            Outcome::Missed(_) => return false,
+        }
+        let off = |branch: &'_ JointBlock, axis: usize| apart(&machine.axes[axis], joints[axis], branch[axis][lane]);
+        let greatest = |branch: &JointBlock| (0..joints.len()).map(|axis| off(branch, axis)).fold(0.0, f64::max);
+        let nearest = solutions.branches.iter().min_by(|a, b| greatest(a).total_cmp(&greatest(b)));
+        out.extend(nearest.into_iter().flat_map(|branch| (0..joints.len()).map(move |axis| off(branch, axis))));
+        !out.is_empty()
+    }
+
     /// With an axis that is free, the linear axes follow it.
-    fn off_at_pole(&mut self, pose: Pose, joints: &[f64]) -> Option<Vec<f64>> {
+    fn off_at_pole(&mut self, pose: Pose, joints: &[f64], out: &mut Vec<f64>) -> bool {
         let mut solved = joints.to_vec();
-        self.kinematics.position(pose.tip_mm, self.machine.tool(), &mut solved).ok()?;
+        if self.kinematics.position(pose.tip_mm, self.machine.tool(), &mut solved).is_err() {
+            return false;
+        }
         let axes = self.machine.axes.iter().zip(joints).zip(&solved);
-        Some(axes.map(|((axis, found), solved)| apart(axis, *found, *solved)).collect())
+        out.extend(axes.map(|((axis, found), solved)| apart(axis, *found, *solved)));
+        true
     }
 }
 
@@ -90,7 +115,7 @@ fn apart(axis: &Axis, a: f64, b: f64) -> f64 {
     let off = a - b;
     match (axis.motion, axis.rule) {
         (_, Rule::Locked(value)) => (a - value).abs(),
-        (Motion::Linear, _) => off.abs(),
-        (Motion::Rotary, _) => (off - 360.0 * (off / 360.0).round()).abs(),
+        (AxisMotion::Linear, _) => off.abs(),
+        (AxisMotion::Rotary, _) => (off - 360.0 * (off / 360.0).round()).abs(),
     }
 }

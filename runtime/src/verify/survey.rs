@@ -32,7 +32,7 @@ pub struct Survey {
     /// Tool by tool, in their order.
     pub tools: Vec<ToolUse>,
     /// Where the axes were before each block, and which of them were known.
-    before: Option<(Vec<f64>, u64)>,
+    before: (Vec<f64>, u64),
     /// How deep along the tool the last cut was, in millimetres.
     cut_at_mm: Option<f64>,
     met: BTreeMap<Suspicion, Met>,
@@ -62,7 +62,7 @@ impl Survey {
             blocks: 0,
             ranges: machine.axes.iter().map(Range::new).collect(),
             tools: Vec::new(),
-            before: None,
+            before: (vec![0.0; machine.axes.len()], 0),
             cut_at_mm: None,
             met: BTreeMap::new(),
             says: [
@@ -73,25 +73,27 @@ impl Survey {
         }
     }
 
-    /// Takes an item; the tool goes from the first pose to the second one, as far as they are known.
-    pub(super) fn take(&mut self, item: &Item, motion: &Motion, modal: &Modal, poses: [Option<Pose>; 2]) {
-        match &item.what {
-            What::Event(Event::ToolChange(tool)) => {
-                self.tools.push(ToolUse { tool: Some(*tool), ..ToolUse::default() })
+    /// Takes items that leave the tool at these poses, as far as they are known, and begin at `before`.
+    pub(super) fn take(&mut self, motion: &Motion, poses: &[Option<Pose>], mut before: Option<Pose>) {
+        for (item, pose) in motion.items().iter().zip(poses) {
+            match &item.what {
+                What::Event(Event::ToolChange(tool)) => {
+                    self.tools.push(ToolUse { tool: Some(*tool), ..ToolUse::default() })
+                }
+                What::Event(Event::Dwell(seconds)) => self.tool().feed_s += seconds,
+                What::Event(_) => {}
+                What::Move(it) => self.go(item, it, motion, [before, *pose]),
             }
-            What::Event(Event::Dwell(seconds)) => self.tool().feed_s += seconds,
-            What::Event(_) => {}
-            What::Move(it) => self.go(item, it, motion, modal, poses),
+            before = *pose;
         }
     }
 
-    fn go(&mut self, item: &Item, it: &Move, motion: &Motion, modal: &Modal, poses: [Option<Pose>; 2]) {
+    fn go(&mut self, item: &Item, it: &Move, motion: &Motion, poses: [Option<Pose>; 2]) {
         self.blocks += 1;
         let joints = motion.joints(it);
         let state = motion.state(item);
         let is_cut = it.law != Law::Rapid;
         self.visit(item.line, it, joints);
-        self.suspect_state(item.line, modal);
         self.suspect_turns(item.line, it, joints);
         if is_cut && state.spindle == Spindle::Off {
             self.meet(Suspicion::StandingSpindle, item.line);
@@ -108,7 +110,8 @@ impl Survey {
             self.way(is_cut, length_mm, state.feed, state.speed_rpm);
         }
         self.tool().blocks += 1;
-        self.before = Some((joints.to_vec(), it.known));
+        self.before.0.copy_from_slice(joints);
+        self.before.1 = it.known;
     }
 
     /// The way of the tip, and its time.
@@ -152,7 +155,8 @@ impl Survey {
         }
     }
 
-    fn suspect_state(&mut self, line: u64, modal: &Modal) {
+    /// A block moves with this in force.
+    pub(super) fn suspect_state(&mut self, line: u64, modal: &Modal) {
         let said = [modal.distance.is_some(), modal.units.is_some(), modal.feed_mode.is_some()];
         for ((can_say, what), said) in self.says.into_iter().zip(said) {
             if can_say && !said {
@@ -162,11 +166,10 @@ impl Survey {
     }
 
     fn suspect_turns(&mut self, line: u64, it: &Move, joints: &[f64]) {
-        let Some((before, known)) = self.before.take() else { return };
-        for (index, (from, to)) in before.iter().zip(joints).enumerate() {
+        let known = if it.is_machine { 0 } else { it.known & self.before.1 };
+        for (index, to) in joints.iter().enumerate().filter(|(index, _)| known & 1 << index != 0) {
             let is_rotary = self.ranges[index].axis.motion == AxisMotion::Rotary;
-            let is_known = it.known & known & 1 << index != 0;
-            if is_rotary && is_known && !it.is_machine && (to - from).abs() > HALF_TURN_DEG {
+            if is_rotary && (to - self.before.0[index]).abs() > HALF_TURN_DEG {
                 self.meet(Suspicion::LongWay(index), line);
             }
         }

@@ -47,6 +47,8 @@ pub(super) struct WantedStream<'a> {
     state: WantedState,
     has_ended: bool,
     pub(super) has_errors: bool,
+    /// What is to be told of it.
+    pub(super) diagnostics: Vec<Diagnostic>,
 }
 
 impl<'a> WantedStream<'a> {
@@ -54,18 +56,18 @@ impl<'a> WantedStream<'a> {
         let state =
             WantedState { tool: None, spindle: Spindle::Off, speed_rpm: 0.0, coolant: Coolants::OFF, feed: None };
         let (points, queue) = (Vec::new(), VecDeque::new());
-        Self { reader, machine, points, queue, state, has_ended: false, has_errors: false }
+        Self { reader, machine, points, queue, state, has_ended: false, has_errors: false, diagnostics: Vec::new() }
     }
 
     /// What comes next.
-    pub(super) fn peek(&mut self, tell: &mut dyn FnMut(Diagnostic)) -> io::Result<Option<Wanted>> {
-        self.fill(1, tell)?;
+    pub(super) fn peek(&mut self) -> io::Result<Option<Wanted>> {
+        self.fill(1)?;
         Ok(self.queue.front().copied())
     }
 
     /// What comes next, as far ahead as it is looked at.
-    pub(super) fn ahead(&mut self, tell: &mut dyn FnMut(Diagnostic)) -> io::Result<impl Iterator<Item = &Wanted>> {
-        self.fill(AHEAD, tell)?;
+    pub(super) fn ahead(&mut self) -> io::Result<impl Iterator<Item = &Wanted>> {
+        self.fill(AHEAD)?;
         Ok(self.queue.iter().take(AHEAD))
     }
 
@@ -74,20 +76,22 @@ impl<'a> WantedStream<'a> {
         self.queue.drain(..count);
     }
 
-    fn fill(&mut self, count: usize, tell: &mut dyn FnMut(Diagnostic)) -> io::Result<()> {
+    fn fill(&mut self, count: usize) -> io::Result<()> {
         while self.queue.len() < count && !self.has_ended {
             self.points.clear();
             let next = self.reader.next_into(&mut self.points, AHEAD)?;
-            for point in std::mem::take(&mut self.points) {
-                let wanted = self.point(&point);
+            let points = std::mem::take(&mut self.points);
+            for point in &points {
+                let wanted = self.point(point);
                 self.queue.push_back(wanted);
             }
+            self.points = points;
             match next {
                 Next::Full | Next::From(_) => {}
                 Next::Command(command, place) => self.command(command, place.line),
                 Next::Diagnostic(diagnostic) => {
                     self.has_errors |= diagnostic.severity == Severity::Error;
-                    tell(diagnostic);
+                    self.diagnostics.push(diagnostic);
                 }
                 Next::End => self.has_ended = true,
             }

@@ -36,7 +36,7 @@ pub(super) fn run(
         let _ = control.run(&dialect.offset, 0, &mut Motion::new(axes.len()));
         control.stand_at(&vec![START; axes.len()]);
     }
-    let before = control.modal().clone();
+    let before = *control.modal();
     let mut motion = Motion::new(axes.len());
     for (number, line) in text.lines().enumerate() {
         control
@@ -47,7 +47,7 @@ pub(super) fn run(
         What::Move(last) => Some(motion.joints(last).to_vec()),
         What::Event(_) => None,
     });
-    Ok(Run { before, after: control.modal().clone(), motion, joints_at_end })
+    Ok(Run { before, after: *control.modal(), motion, joints_at_end })
 }
 
 /// What is in force in the middle of a program, with everything on that a block could switch off, and off that it switches on.
