@@ -4,6 +4,7 @@ mod agreement;
 mod foreign;
 mod mutations;
 mod plain;
+mod published;
 mod verified;
 
 #[path = "../cli/machc.rs"]
