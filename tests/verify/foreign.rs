@@ -129,3 +129,68 @@ fn what_the_control_does_not_declare_is_an_error_at_its_place() {
         assert!(stderr.contains(&format!("--> part.nc:2:{column}\n")), "{name}: {stderr}");
     }
 }
+
+#[test]
+fn a_program_has_a_name_and_begins_with_it() {
+    for (name, head) in
+        [("number", "O1234"), ("word", "Opart1_SETUP_3"), ("letters", "O_FACING"), ("blank", "O part 7")]
+    {
+        let program = OTHER_HAND.replace("o0001 (another hand)", head);
+        let run = verify(&format!("named-{name}"), &program, &["--against", "part.cls"]);
+        let is_one_name = name != "blank";
+        assert_eq!((run.status == 0, run.stderr.is_empty()), (is_one_name, is_one_name), "{head}: {}", run.stderr);
+    }
+    for (name, slip) in [("slip", "OG0X5"), ("other", "O2")] {
+        let program = OTHER_HAND.replace("G91 X10.", &format!("{slip}\nG91 X10."));
+        let run = verify(&format!("named-{name}"), &program, &[]);
+        assert_eq!(run.status, 1, "{slip}");
+        assert!(run.stderr.contains("a program that begins within another is not followed"), "{slip}: {}", run.stderr);
+    }
+}
+
+#[test]
+fn what_stands_behind_the_end_is_told_and_not_run() {
+    for (name, behind, line) in [
+        ("nothing", "", None),
+        ("mark", "%\n\n(made by hand)\n", None),
+        ("block", "G0 X400.\n%\n", Some(23)),
+        ("unknown", "%\nnotes Q #1 (\n", Some(24)),
+        ("program", "%\nO0002\nG90 G0 X1000.\nM30\n%\n", Some(24)),
+    ] {
+        let program = OTHER_HAND.strip_suffix("%\n").expect("the tape's mark").to_owned() + behind;
+        let Run { status, stdout, stderr } = verify(&format!("behind-{name}"), &program, &["--against", "part.cls"]);
+        assert_eq!(status, 0, "{name}: {stderr}");
+        assert!(stdout.contains("0.000 .. 10.000 mm"), "{name}: {stdout}");
+        assert_eq!(stderr.contains("warning[W1207]: text behind the end of the program"), line.is_some(), "{stderr}");
+        let place = line.map(|line| format!("--> part.nc:{line}:1"));
+        assert!(place.is_none_or(|place| stderr.contains(&place)), "{name}: {stderr}");
+    }
+}
+
+/// A difference of cuts is told again only after a cut without it: rapid motions in between show nothing.
+#[test]
+fn a_difference_is_told_again_when_it_was_right_in_between() {
+    let cl = "LOAD/TOOL,1\nSPINDL/RPM,3000,CLW\nFEDRAT/MMPM,200\n".to_owned()
+        + &(0..4).map(|x| format!("RAPID\nGOTO/{x},0,5\nGOTO/{x},0,-1\n")).collect::<String>();
+    let hole = |x: u32, feed: u32| format!("G0 X{x}. Y0. Z5.\nG1 Z-1. F{feed}.\n");
+    let program = |feeds: [u32; 4]| {
+        let holes: String = (0..).zip(feeds).map(|(x, feed)| hole(x, feed)).collect();
+        let head =
+            "G17 G21 G40 G49 G80 G90 G94\nG54\nM9\nM5\nG53 G0 Z500.\nT1 M6\nG54\nS3000 M3\nG0 X0. Y0.\nG43 H1 Z5.\n";
+        format!("{head}{holes}M9\nM5\nG53 G0 Z500.\nM30\n")
+    };
+    for (name, feeds, told) in [
+        ("right", [200; 4], 0),
+        ("wrong", [300; 4], 1),
+        ("wrong-again", [300, 300, 200, 300], 2),
+        ("late", [200, 200, 300, 400], 1),
+    ] {
+        let workshop = Workshop::new(&format!("again-{name}"));
+        workshop.write("mill.mach", MILL);
+        workshop.write("part.nc", &program(feeds));
+        workshop.write("holes.cls", &cl);
+        let run = workshop.run(&["verify", "mill.mach", "part.nc", "--against", "holes.cls"]);
+        assert_eq!(run.stderr.matches("error[E1212]").count(), told, "{name}: {}", run.stderr);
+        assert_eq!(run.stderr.matches("error[").count(), told, "{name}: {}", run.stderr);
+    }
+}

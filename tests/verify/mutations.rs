@@ -49,6 +49,10 @@ fn deeds(setup: &Setup, nc: &str) -> Option<Vec<Deed>> {
     let mut motion = Motion::new(machine.axes.len());
     for (number, line) in nc.lines().enumerate() {
         control.run(line, number as u64 + 1, &mut motion).ok()?;
+        // What stands behind the end is never run.
+        if motion.items().last().is_some_and(|item| item.what == What::Event(Event::End)) {
+            break;
+        }
     }
     let way_out = Retract::of(&machine.axes).expect("the machine has a way out").axis;
     let mut deeds: Vec<Deed> = Vec::new();

@@ -42,6 +42,8 @@ pub struct Control<'m> {
     joints: Vec<f64>,
     /// The axes whose position is known, the first one in the lowest bit.
     known: u64,
+    /// Whether a block has been carried out: a program has begun.
+    has_begun: bool,
     /// The text of lines that go on in the next one.
     continued: String,
     /// The last block, whose room is used again.
@@ -66,6 +68,7 @@ impl<'m> Control<'m> {
             before: (modal, joints.clone(), 0),
             joints,
             known: 0,
+            has_begun: false,
             continued: String::new(),
             block: Block::default(),
         }
@@ -84,6 +87,7 @@ impl<'m> Control<'m> {
     /// Puts what is modal into a state, as if blocks had done so.
     pub fn set_modal(&mut self, modal: Modal) {
         self.modal = modal;
+        self.has_begun = true;
     }
 
     /// The axes whose position is known, the first one in the lowest bit.
@@ -163,6 +167,10 @@ impl<'m> Control<'m> {
     /// Does what a block says, in the order in which a control does: what is modal, the spindle and the coolant on, the tool,
     /// the motion, and then what stops something.
     fn carry_out(&mut self, block: &Block, line: u64, out: &mut Motion) -> Result<(), Mistake> {
+        if self.has_begun && block.once(Once::Program).is_some() {
+            return Err(Mistake::NotFollowed("a program that begins within another"));
+        }
+        self.has_begun = true;
         let number = |code: &Code| code.number.map(|number| number as u32);
         let early = block.codes.iter().filter(|code| !is_late(code.meaning));
         early.for_each(|code| self.modal.take(code.meaning, number(code)));

@@ -1,6 +1,7 @@
 //! A block cut into tokens: words with numbers, names, calls.
 
 use super::mistake::Mistake;
+use crate::dialect::pattern::{Hole, Pattern, PatternWord};
 use crate::dialect::table::{BlockKind, Table};
 use crate::number::Decimal;
 use std::ops::Range;
@@ -49,8 +50,8 @@ impl Number {
 /// # Errors
 /// What stands there that is none, and where.
 pub(super) fn tokens<'t>(block: &'t str, table: &Table) -> Result<Vec<Token<'t>>, (Mistake, Range<usize>)> {
-    let mut tokens = Vec::new();
-    let mut at = 0;
+    let mut tokens: Vec<Token<'t>> = program_name(block, table).into_iter().collect();
+    let mut at = tokens.last().map_or(0, |name| name.span.end);
     while let Some(byte) = block.as_bytes().get(at) {
         if byte.is_ascii_whitespace() {
             at += 1;
@@ -61,6 +62,22 @@ pub(super) fn tokens<'t>(block: &'t str, table: &Table) -> Result<Vec<Token<'t>>
         at += length;
     }
     Ok(tokens)
+}
+
+/// A block that is nothing but the name of a program behind its address: `OPART1_SETUP_3`.
+fn program_name<'t>(block: &'t str, table: &Table) -> Option<Token<'t>> {
+    let text = block.trim();
+    let is_name = |pattern: &Pattern| match pattern.words.as_slice() {
+        [PatternWord::Hole { address, hole: Hole::Program }] if !address.is_empty() => {
+            let name = text.strip_prefix(address.as_str()).unwrap_or_default();
+            name.starts_with(|c: char| !c.is_ascii_digit())
+                && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_')
+        }
+        _ => false,
+    };
+    let start = block.len() - block.trim_start().len();
+    let token = || Token { span: start..start + text.len(), kind: Kind::Name(text) };
+    table.patterns.iter().any(is_name).then(token)
 }
 
 /// The token that the text begins with, and its length.

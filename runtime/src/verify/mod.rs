@@ -28,7 +28,7 @@ use crate::diagnostic::{Code, Diagnostic, Place};
 use crate::dialect::table::Table;
 use crate::kinematics::Kinematics;
 use crate::machine::Machine;
-use crate::motion::{Motion, What};
+use crate::motion::{Event, Motion, What};
 use pose::{Pose, Solver};
 use std::io;
 
@@ -45,6 +45,8 @@ pub struct Verifier<'m> {
     poses: Vec<Option<Pose>>,
     before: Option<Pose>,
     last_line: u64,
+    /// Whether the program has said that it is over: what stands behind that is never run.
+    is_over: bool,
     errors: u32,
 }
 
@@ -83,6 +85,7 @@ impl<'m> Verifier<'m> {
             poses: Vec::new(),
             before: None,
             last_line: 0,
+            is_over: false,
             errors: 0,
         }
     }
@@ -104,13 +107,21 @@ impl<'m> Verifier<'m> {
     /// # Errors
     /// When the CL cannot be read, or that which is written cannot.
     pub fn line(&mut self, text: &str, number: u64, tell: &mut dyn FnMut(Diagnostic)) -> io::Result<()> {
+        if self.is_over {
+            if !matches!(self.control.read(text), Ok(None)) {
+                self.survey.behind_the_end(number);
+            }
+            return Ok(());
+        }
         self.last_line = number;
         let items = self.motion.items().len();
         match self.control.run(text, number, &mut self.motion) {
             Ok(()) => {
-                if self.motion.items()[items..].iter().any(|item| matches!(item.what, What::Move(_))) {
+                let items = &self.motion.items()[items..];
+                if items.iter().any(|item| matches!(item.what, What::Move(_))) {
                     self.survey.suspect_state(number, self.control.modal());
                 }
+                self.is_over = items.iter().any(|item| item.what == What::Event(Event::End));
                 if self.motion.items().len() >= TOGETHER { self.look(tell) } else { Ok(()) }
             }
             Err(fault) => {

@@ -175,6 +175,11 @@ impl Survey {
         }
     }
 
+    /// A line with text behind the end of the program.
+    pub(super) fn behind_the_end(&mut self, line: u64) {
+        self.meet(Suspicion::BehindTheEnd, line);
+    }
+
     fn meet(&mut self, suspicion: Suspicion, line: u64) {
         self.met.entry(suspicion).or_insert(Met { line, blocks: 0 }).blocks += 1;
     }

@@ -11,6 +11,7 @@ pub(super) enum Suspicion {
     LongWay(usize),
     BelowTheCut,
     OutOfTravel(usize),
+    BehindTheEnd,
 }
 
 /// Where it was met first, and how often.
@@ -66,8 +67,18 @@ The control would stop at the limit. Either the program is for another set-up, o
 `travel` is not that of the machine.",
 };
 
+static BEHIND_THE_END: Code = Code {
+    id: "W1207",
+    title: "text behind the end of the program",
+    explanation: "\
+The program says that it is over, and blocks or other text stand behind that, comments and the tape's mark aside. The control does
+not run it, and neither does `verify`: nothing of it is in what is told. A second program of the same file is looked at in a file of
+its own.",
+};
+
 /// All of them.
-pub static SUSPICIONS: [&Code; 6] = [&STANDING_SPINDLE, &NO_FEED, &POWER_ON, &LONG_WAY, &BELOW_THE_CUT, &OUT_OF_TRAVEL];
+pub static SUSPICIONS: [&Code; 7] =
+    [&STANDING_SPINDLE, &NO_FEED, &POWER_ON, &LONG_WAY, &BELOW_THE_CUT, &OUT_OF_TRAVEL, &BEHIND_THE_END];
 
 impl Suspicion {
     /// What is told of it. `axes` are the names of the machine's axes.
@@ -81,10 +92,13 @@ impl Suspicion {
             Self::OutOfTravel(axis) => {
                 (&OUT_OF_TRAVEL, format!("the program goes beyond the travel of {}", axes[axis]))
             }
+            Self::BehindTheEnd => (&BEHIND_THE_END, "text behind the end of the program".to_owned()),
         };
-        let label = match met.blocks {
-            1 => "in this block".to_owned(),
-            blocks => format!("here first, in {blocks} blocks"),
+        let label = match (self, met.blocks) {
+            (Self::BehindTheEnd, 1) => "this line is not run".to_owned(),
+            (Self::BehindTheEnd, lines) => format!("here first; {lines} lines are not run"),
+            (_, 1) => "in this block".to_owned(),
+            (_, blocks) => format!("here first, in {blocks} blocks"),
         };
         Diagnostic::warning(code, message).at(Place::line(file, met.line), label)
     }
