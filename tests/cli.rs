@@ -311,9 +311,22 @@ fn a_link_is_followed_and_not_replaced() {
 #[test]
 fn help_fits_the_terminal() {
     let workshop = Workshop::new("help");
-    for command in
-        ["new", "test", "review", "diff", "check", "post", "show", "solve", "compare-solvers", "emit", "fmt", "explain"]
-    {
+    for command in [
+        "new",
+        "test",
+        "review",
+        "diff",
+        "check",
+        "post",
+        "verify",
+        "motion",
+        "show",
+        "solve",
+        "compare-solvers",
+        "emit",
+        "fmt",
+        "explain",
+    ] {
         for flag in ["-h", "--help"] {
             let help = workshop.run(&[command, flag]).stdout;
             assert!(help.lines().all(|line| line.chars().count() <= 80), "{help}");

@@ -128,7 +128,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
     quiet_when_nobody_listens(written).map_err(|error| cannot_write("<stdout>", &error))
 }
 
-/// JSON lines for standard output, as they come.
+/// Lines for standard output, as they come.
 #[derive(Debug)]
 pub struct Lines {
     text: Vec<u8>,
@@ -140,7 +140,18 @@ impl Lines {
         Self { text: Vec::new() }
     }
 
-    /// Adds a line; it appears with the next [`Lines::flush`].
+    /// Adds a line of text; it appears with the next [`Lines::flush`].
+    pub fn add_text(&mut self, line: &str) {
+        self.text.extend_from_slice(line.as_bytes());
+        self.text.push(b'\n');
+    }
+
+    /// Writes the lines once they are many, and says whether anybody reads them.
+    pub fn flush_many(&mut self) -> Result<bool, Failure> {
+        if self.text.len() < MANY { Ok(true) } else { self.flush() }
+    }
+
+    /// Adds a line of JSON; it appears with the next [`Lines::flush`].
     pub fn add(&mut self, line: &impl Serialize) {
         serde_json::to_writer(&mut self.text, line).expect("lines are plain data");
         self.text.push(b'\n');
@@ -158,6 +169,9 @@ impl Lines {
         }
     }
 }
+
+/// So many bytes are worth a call of the system.
+const MANY: usize = 1 << 16;
 
 /// A reader that has seen enough (`… | head`) is no failure.
 fn quiet_when_nobody_listens(written: io::Result<()>) -> io::Result<()> {

@@ -1,5 +1,6 @@
 //! The command line: arguments, files, progress. The only place that does I/O.
 
+mod axis_values;
 mod build;
 mod builtin;
 mod check;
@@ -11,8 +12,10 @@ mod fmt;
 mod folders;
 mod joints;
 mod machine;
+mod motion;
 mod new;
 mod post;
+mod program;
 mod review;
 mod show;
 mod solve;
@@ -49,6 +52,7 @@ enum Command {
     Check(check::Arguments),
     Post(post::Arguments),
     Verify(verify::Arguments),
+    Motion(motion::Arguments),
     Show(show::Arguments),
     Build(build::Arguments),
     Emit(emit::Arguments),
@@ -70,6 +74,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Check(arguments) => check::run(arguments, &mut report),
         Command::Post(arguments) => post::run(arguments, &mut report),
         Command::Verify(arguments) => verify::run(arguments, &mut report),
+        Command::Motion(arguments) => motion::run(arguments, &mut report),
         Command::Show(arguments) => show::run(arguments, &mut report),
         Command::Build(arguments) => build::run(arguments, &report),
         Command::Emit(arguments) => emit::run(arguments, &report),

@@ -12,9 +12,9 @@ use mach_runtime::kinematics::{LANES, Miss};
 use mach_runtime::machine::Machine;
 use mach_runtime::path::{PathSolver, Solved};
 use machc::numeric::Inverse;
-use serde::ser::SerializeMap;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
+use super::axis_values::AxisValues;
 use super::joints;
 use super::machine::{Prepared, prepare};
 use super::solver::SolverOption;
@@ -130,7 +130,7 @@ impl Problem {
 
 #[derive(Serialize)]
 struct Solution<'a> {
-    joints: Joints<'a>,
+    joints: AxisValues<'a>,
     #[serde(skip_serializing_if = "Option::is_none")]
     beyond_travel: Option<Beyond<'a>>,
 }
@@ -140,9 +140,6 @@ struct Beyond<'a> {
     axis: &'a str,
     by: f64,
 }
-
-/// Axis names with their values, in the machine's order.
-struct Joints<'a>(&'a Machine, &'a [f64]);
 
 impl<'a> PointMessage<'a> {
     fn new(machine: &'a Machine, solved: &'a Solved<'_>) -> Self {
@@ -163,18 +160,7 @@ impl<'a> Solution<'a> {
             axis: &machine.axes[obstacle.axis].name,
             by: obstacle.beyond,
         };
-        Self { joints: Joints(machine, &candidate.joints), beyond_travel: candidate.obstacle.map(beyond) }
-    }
-}
-
-impl Serialize for Joints<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Self(machine, values) = self;
-        let mut map = serializer.serialize_map(Some(values.len()))?;
-        for (axis, value) in machine.axes.iter().zip(*values) {
-            // Adding zero turns -0 into 0.
-            map.serialize_entry(&axis.name, &(value + 0.0))?;
-        }
-        map.end()
+        let joints = AxisValues { axes: &machine.axes, values: &candidate.joints, known: u64::MAX };
+        Self { joints, beyond_travel: candidate.obstacle.map(beyond) }
     }
 }

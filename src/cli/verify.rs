@@ -1,11 +1,10 @@
 //! `machc verify`.
 
-use std::io::{BufRead, BufReader, Write, stdout};
+use std::io::{Write, stdout};
 
-use mach_command::files::{cannot_read, cannot_write, open, shown, stem};
+use mach_command::files::{cannot_read, cannot_write, shown, stem};
 use mach_command::outcome::{Failure, Status};
 use mach_command::output::Output;
-use mach_command::progress::watched;
 use mach_command::report::{Collected, Report};
 use mach_command::toolpath::{Options, quoted};
 use mach_runtime::dialect::table::Table;
@@ -17,6 +16,7 @@ use serde::Serialize;
 
 use super::machine::prepare;
 use super::post::no_controller;
+use super::program::ProgramLines;
 
 /// Run a program on the control's model: what it does, and whether it does what a CL file asks
 ///
@@ -81,8 +81,7 @@ fn verify(
 ) -> Result<(Survey, Option<Agreement>), Failure> {
     let Reading { machine, dialect, table, plan } = *reading;
     let (program, cl) = (&arguments.program, arguments.cl.as_deref().unwrap_or_default());
-    let (input, bytes) = open(program)?;
-    let mut input = BufReader::new(watched(input, bytes, report));
+    let mut lines = ProgramLines::open(program, report)?;
     let comparison = match &arguments.against {
         Some(file) => {
             let reader = arguments.options.reader(file, machine, report)?;
@@ -97,13 +96,8 @@ fn verify(
     let mut verifier = Verifier::new(shown(program), table, machine, &mut kinematics);
     verifier = verifier.against(comparison).written_as(reverse);
     let cannot = |error| cannot_read(program, &error);
-    let (mut number, mut bytes) = (0, Vec::new());
-    while input.read_until(b'\n', &mut bytes).map_err(cannot)? > 0 {
-        number += 1;
-        let line = String::from_utf8_lossy(&bytes);
-        let text = line.trim_end_matches(['\n', '\r']);
-        verifier.line(text, number, &mut |it| told.add(it)).map_err(cannot)?;
-        bytes.clear();
+    while let Some((text, number)) = lines.next()? {
+        verifier.line(&text, number, &mut |it| told.add(it)).map_err(cannot)?;
     }
     verifier.finish(&mut |it| told.add(it)).map_err(cannot)
 }

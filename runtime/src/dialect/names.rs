@@ -74,3 +74,8 @@ pub fn meaning(group: &str, member: &str) -> Option<(Meaning, Option<u32>)> {
     }
     NAMES.iter().find(|(its, name, _)| (*its, *name) == (group, member)).map(|(.., meaning)| (*meaning, None))
 }
+
+/// The name of a meaning in its group; an offset, which has a number, and what is plain have none.
+pub fn name(meaning: Meaning) -> Option<&'static str> {
+    NAMES.iter().find(|(.., its)| *its == meaning).map(|(_, member, _)| *member)
+}

@@ -5,9 +5,11 @@
 
 mod item;
 mod state;
+mod text;
 
 pub use item::{Arc, Event, Item, Law, Move, What};
 pub use state::{Coolants, Feed, State};
+pub use text::MotionText;
 
 /// A stretch of motion, in columns; emptied and used again.
 #[derive(Debug, Clone)]

@@ -13,6 +13,7 @@ mod reverse;
 mod survey;
 mod suspicion;
 mod tolerance;
+mod unreadable;
 mod wanted;
 mod words;
 
@@ -22,9 +23,10 @@ pub use mismatch::DIFFERENCES;
 pub use reverse::ReverseCl;
 pub use survey::{Survey, ToolUse};
 pub use suspicion::SUSPICIONS;
+pub use unreadable::{UNREADABLE, Unreadable};
 
-use crate::control::{Control, Fault};
-use crate::diagnostic::{Code, Diagnostic, Place};
+use crate::control::Control;
+use crate::diagnostic::Diagnostic;
 use crate::dialect::table::Table;
 use crate::kinematics::Kinematics;
 use crate::machine::Machine;
@@ -47,29 +49,11 @@ pub struct Verifier<'m> {
     last_line: u64,
     /// Whether the program has said that it is over: what stands behind that is never run.
     is_over: bool,
-    errors: u32,
+    unreadable: Unreadable,
 }
 
 /// So many items are looked at together: what is done for many costs less, and they stay in the processor's cache.
 const TOGETHER: usize = 512;
-
-/// So many lines that cannot be read are told.
-const MOST_ERRORS: u32 = 20;
-
-/// E1201.
-pub static UNREADABLE: Code = Code {
-    id: "E1201",
-    title: "the control would not understand this block",
-    explanation: "\
-The program is read by the table of the machine's controller: its words, and the groups and codes that it declares. What stands
-here is in none of them, or not in this way, and nothing of a program is skipped.
-
-If it is a code of the machine's builder that moves nothing, declare it in the machine's own `controller` block:
-
-    plain \"M11\" \"the C axis is unclamped\"
-
-A code that means something is declared in its group. `docs/language.md` lists the groups.",
-};
 
 impl<'m> Verifier<'m> {
     /// At the start of a program that the user calls `file`.
@@ -86,7 +70,7 @@ impl<'m> Verifier<'m> {
             before: None,
             last_line: 0,
             is_over: false,
-            errors: 0,
+            unreadable: Unreadable::default(),
         }
     }
 
@@ -126,17 +110,9 @@ impl<'m> Verifier<'m> {
             }
             Err(fault) => {
                 self.look(tell)?;
-                self.tell_unreadable(text, fault, tell);
+                self.unreadable.meet(&self.file, (text, number), fault, tell);
                 Ok(())
             }
-        }
-    }
-
-    fn tell_unreadable(&mut self, text: &str, (mistake, span): Fault, tell: &mut dyn FnMut(Diagnostic)) {
-        self.errors += 1;
-        if self.errors <= MOST_ERRORS {
-            let place = place(&self.file, self.last_line, text, span);
-            tell(Diagnostic::error(&UNREADABLE, mistake.to_string()).at(place, ""));
         }
     }
 
@@ -168,12 +144,4 @@ impl<'m> Verifier<'m> {
         self.survey.suspicions(&self.file).into_iter().for_each(tell);
         Ok((self.survey, agreement))
     }
-}
-
-/// A place in a line that is at hand.
-fn place(file: &str, number: u64, text: &str, span: std::ops::Range<usize>) -> Place {
-    let start = span.start.min(text.len());
-    let end = span.end.clamp(start, text.len());
-    let column = text[..start].chars().count() as u64 + 1;
-    Place { file: file.to_owned(), line: number, column, excerpt: text.to_owned(), start, end }
 }

@@ -1,6 +1,7 @@
 //! A comparison as tables for people.
 
 use mach_runtime::certificate::Range;
+use mach_runtime::number::rounded;
 use machc::compare::{Apart, Comparison, Count, Refusal, Way, WordChange};
 
 pub(super) fn comparison(comparison: &Comparison, files: [&str; 2], cl: &str) -> String {
@@ -50,7 +51,7 @@ fn row(word: &WordChange) -> String {
         return format!("{name:<8}{:>8}\n", "-");
     }
     let by = format!("{:.4} {}", largest.value, motion.unit());
-    format!("{name:<8}{points:>8}{by:>20}{:>9}{:>13.4}{:>13.4}\n", largest.line, rounded(*old), rounded(*new))
+    format!("{name:<8}{points:>8}{by:>20}{:>9}{:>13.4}{:>13.4}\n", largest.line, rounded(*old, 4), rounded(*new, 4))
 }
 
 fn tool(comparison: &Comparison) -> String {
@@ -93,7 +94,7 @@ fn margin_row(old: &Range, new: &Range) -> String {
     let margin = |margin: f64, range: &Range| match (range.is_visited(), margin.is_finite()) {
         (false, _) => "-".to_owned(),
         (_, false) => "no limit".to_owned(),
-        (_, true) => format!("{:.3}", rounded(margin)),
+        (_, true) => format!("{:.3}", rounded(margin, 3)),
     };
     let [a, b] = [margin(old.lower_margin(), old), margin(new.lower_margin(), new)];
     let [c, d] = [margin(old.upper_margin(), old), margin(new.upper_margin(), new)];
@@ -104,9 +105,4 @@ fn margin_row(old: &Range, new: &Range) -> String {
 fn counted(count: &Count) -> String {
     let points = if count.points == 1 { "1 point".to_owned() } else { format!("{} points", count.points) };
     format!("{points}, first at line {}", count.first_line)
-}
-
-/// So that what rounds to zero has no minus.
-fn rounded(value: f64) -> f64 {
-    (value * 1e4).round() / 1e4 + 0.0
 }

@@ -1,0 +1,145 @@
+//! An item of motion as a JSON object. `docs/models.md` tells what stands in it.
+
+use mach_runtime::dialect::meaning::Meaning;
+use mach_runtime::dialect::names::name;
+use mach_runtime::machine::Axis;
+use mach_runtime::motion::{self, Event, Feed, Item, Law, Motion, Move, State, What};
+use serde::Serialize;
+
+use super::super::axis_values::AxisValues;
+
+#[derive(Serialize)]
+pub(super) struct Message<'a> {
+    #[serde(rename = "type")]
+    kind: &'static str,
+    line: u64,
+    #[serde(flatten)]
+    going: Option<Going<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tool: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    seconds: Option<f64>,
+    state: StateMessage,
+}
+
+/// What only a move has.
+#[derive(Serialize)]
+struct Going<'a> {
+    joints: AxisValues<'a>,
+    named: Vec<&'a str>,
+    in_machine_coordinates: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    arc: Option<Arc>,
+}
+
+#[derive(Serialize)]
+struct Arc {
+    centre_mm: [f64; 3],
+    radius_mm: f64,
+    normal: [f64; 3],
+    sweep_deg: f64,
+}
+
+#[derive(Serialize)]
+struct StateMessage {
+    tool: Option<u32>,
+    length_register: Option<u32>,
+    offset: Option<u32>,
+    spindle: Option<&'static str>,
+    speed_rpm: f64,
+    feed: Option<FeedMessage>,
+    coolant: Vec<&'static str>,
+    plane: Option<&'static str>,
+    side: Option<&'static str>,
+    path: Option<&'static str>,
+    tip: bool,
+}
+
+/// The unit is the key.
+#[derive(Serialize)]
+#[serde(rename_all = "snake_case")]
+enum FeedMessage {
+    MmPerMin(f64),
+    MmPerRev(f64),
+    BlocksPerMin(f64),
+}
+
+impl<'a> Message<'a> {
+    pub(super) fn new(item: &Item, motion: &'a Motion, axes: &'a [Axis]) -> Self {
+        let (kind, going) = match &item.what {
+            What::Move(it) => (law(it.law), Some(Going::new(it, motion, axes))),
+            What::Event(event) => (event_name(*event), None),
+        };
+        let (tool, seconds) = match item.what {
+            What::Event(Event::ToolChange(tool)) => (Some(tool), None),
+            What::Event(Event::Dwell(seconds)) => (None, Some(seconds)),
+            What::Event(_) | What::Move(_) => (None, None),
+        };
+        Self { kind, line: item.line, going, tool, seconds, state: StateMessage::new(motion.state(item)) }
+    }
+}
+
+impl<'a> Going<'a> {
+    fn new(it: &Move, motion: &'a Motion, axes: &'a [Axis]) -> Self {
+        let joints = AxisValues { axes, values: motion.joints(it), known: it.known };
+        let is_named = |(index, _): &(usize, &Axis)| it.named & 1 << index != 0;
+        let named = axes.iter().enumerate().filter(is_named).map(|(_, axis)| axis.name.as_str()).collect();
+        let arc = match it.law {
+            Law::Arc(index) => Some(Arc::new(motion.arc(index))),
+            Law::Rapid | Law::Line => None,
+        };
+        Self { joints, named, in_machine_coordinates: it.is_machine, arc }
+    }
+}
+
+impl Arc {
+    fn new(arc: &motion::Arc) -> Self {
+        let unsigned_zero = |vector: [f64; 3]| vector.map(|component| component + 0.0);
+        Self {
+            centre_mm: unsigned_zero(arc.centre_mm),
+            radius_mm: arc.radius_mm,
+            normal: unsigned_zero(arc.normal),
+            sweep_deg: arc.sweep_rad.to_degrees(),
+        }
+    }
+}
+
+impl StateMessage {
+    fn new(state: &State) -> Self {
+        Self {
+            tool: state.tool,
+            length_register: state.length_register,
+            offset: state.offset,
+            spindle: name(Meaning::Spindle(state.spindle)),
+            speed_rpm: state.speed_rpm,
+            feed: state.feed.map(|feed| match feed {
+                Feed::PerMinute(mm) => FeedMessage::MmPerMin(mm),
+                Feed::PerRevolution(mm) => FeedMessage::MmPerRev(mm),
+                Feed::Inverse(blocks) => FeedMessage::BlocksPerMin(blocks),
+            }),
+            coolant: state.coolant.iter().filter_map(|coolant| name(Meaning::Coolant(coolant))).collect(),
+            plane: name(Meaning::Plane(state.plane)),
+            side: name(Meaning::Side(state.side)),
+            path: state.path.and_then(|path| name(Meaning::Path(path))),
+            tip: state.tip,
+        }
+    }
+}
+
+fn law(law: Law) -> &'static str {
+    match law {
+        Law::Rapid => "rapid",
+        Law::Line => "line",
+        Law::Arc(_) => "arc",
+    }
+}
+
+fn event_name(event: Event) -> &'static str {
+    match event {
+        Event::ToolChange(_) => "tool_change",
+        Event::Dwell(_) => "dwell",
+        Event::Stop => "stop",
+        Event::OptionalStop => "optional_stop",
+        Event::End => "end",
+    }
+}
