@@ -86,7 +86,7 @@ fn posted(rig: &Rig<Interpreter>, foreign: &Foreign) -> Result<String, String> {
     }
 }
 
-/// The program without what stands in comments and in quotes.
+/// The program without what stands in comments, in quotes, and as a name in angle brackets.
 ///
 /// # Errors
 /// When one of them does not end in its line, or something else than printable ASCII stands in it.
@@ -100,7 +100,9 @@ fn block(line: &str, (open, close): &(String, String)) -> Option<String> {
     }
     let (mut block, mut rest) = (String::new(), line);
     while let Some(c) = rest.chars().next() {
-        let (begin, end) = if rest.starts_with(open.as_str()) { (open.as_str(), close.as_str()) } else { ("\"", "\"") };
+        let enclosed = [(open.as_str(), close.as_str()), ("<", ">"), ("\"", "\"")];
+        let found = enclosed.into_iter().find(|(begin, _)| rest.starts_with(begin));
+        let (begin, end) = found.unwrap_or(enclosed[2]);
         rest = match rest.strip_prefix(begin) {
             Some(_) if end.is_empty() => "",
             Some(inside) => inside.split_once(end).filter(|(inside, _)| !inside.contains(begin))?.1,

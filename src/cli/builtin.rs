@@ -3,7 +3,9 @@
 use std::path::Path;
 
 /// Path and text of each, as in `machines/`.
-pub(super) const CONTROLLERS: [(&str, &str); 2] = [
+pub(super) const CONTROLLERS: [(&str, &str); 4] = [
+    ("controllers/fanuc.mach", include_str!("../../machines/controllers/fanuc.mach")),
+    ("controllers/linuxcnc.mach", include_str!("../../machines/controllers/linuxcnc.mach")),
     ("controllers/siemens.mach", include_str!("../../machines/controllers/siemens.mach")),
     ("controllers/syntec.mach", include_str!("../../machines/controllers/syntec.mach")),
 ];

@@ -7,6 +7,8 @@ use mach_runtime::nc::dialect::{Dialect, Trigger};
 use mach_runtime::nc::writer::{LoadedTool, Values, Writer};
 
 const SYNTEC: &str = include_str!("../../machines/controllers/syntec.mach");
+const FANUC: &str = include_str!("../../machines/controllers/fanuc.mach");
+const LINUXCNC: &str = include_str!("../../machines/controllers/linuxcnc.mach");
 const SIEMENS: &str = include_str!("../../machines/controllers/siemens.mach");
 
 fn axes() -> Vec<Axis> {
@@ -143,6 +145,78 @@ N260 M30
     assert_eq!(program(lowered(SIEMENS)), expected);
 }
 
+#[test]
+fn fanuc_in_millimetres() {
+    let expected = "\
+%
+<SINE_SURFACE>
+N10 G21
+N20 G17 G40 G49 G80 G90 G94
+N30 G54
+(ROUGH 1)
+N40 M9
+N50 M5
+N60 G53 G0 Z60.
+N70 G49
+N80 T3 M6
+N90 G54
+N100 S8000 M3
+N110 M8
+N120 G0 A23.955 C315.
+N130 X70.711 Y18.271
+N140 G43 H03 Z21.124
+N150 G1 X.483 Y0. Z25. A0. C.002 F1234.6
+N160 Y-.5
+N170 Y-12.7 G95 F.05
+N180 G4 P1250
+(check the probe)
+N190 M5
+N200 M9
+N210 M9
+N220 M5
+N230 G53 G0 Z60.
+N240 G49
+N250 M30
+%
+";
+    assert_eq!(program(lowered(FANUC)), expected);
+}
+
+#[test]
+fn linuxcnc_in_millimetres() {
+    let expected = "\
+(SINE_SURFACE)
+G17 G21 G40 G49 G80 G90 G94 G91.1
+G64 P0.002
+G54
+(operation ROUGH 1)
+M9
+M5
+G53 G0 Z60
+G49
+T3 M6
+G54
+S8000 M3
+M8
+G0 A23.955 C315
+X70.711 Y18.271
+G43 H3 Z21.124
+G1 X0.483 Y0 Z25 A0 C0.002 F1234.6
+Y-0.5
+Y-12.7 G95 F0.05
+G4 P1.25
+(MSG, check the probe)
+M5
+M9
+M9
+M5
+G53 G0 Z60
+G49
+M2
+";
+    assert_eq!(program(lowered(LINUXCNC)), expected);
+}
+
 /// In inches the end of the travel is rounded into it: 60 mm are 2.36220… inches.
 #[test]
 fn the_way_out_is_within_the_travel() {
@@ -224,5 +298,7 @@ fn both_in_inches() {
 #[test]
 fn file_names_end_as_the_control_wants() {
     assert_eq!(lowered(SYNTEC).extension, "nc");
+    assert_eq!(lowered(FANUC).extension, "nc");
+    assert_eq!(lowered(LINUXCNC).extension, "ngc");
     assert_eq!(lowered(SIEMENS).extension, "mpf");
 }

@@ -12,5 +12,7 @@ mod verified;
 mod machc;
 #[path = "../common/machine.rs"]
 mod machine;
+#[path = "../common/refit.rs"]
+mod refit;
 #[path = "../common/stems.rs"]
 mod stems;

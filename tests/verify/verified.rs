@@ -1,5 +1,7 @@
 //! A program through the library's verifier.
 
+use super::machine::compiled;
+use super::refit::Refit;
 use mach_runtime::cl::Reader;
 use mach_runtime::diagnostic::Diagnostic;
 use mach_runtime::rig::{Rig, reader_options};
@@ -17,6 +19,12 @@ pub(crate) struct Setup {
 }
 
 impl Setup {
+    /// A machine of the library with another control than its own.
+    pub(crate) fn refitted(machine: &str, control: &str) -> Self {
+        let refit = Refit { machine, control };
+        Self::new(compiled(&refit.path(), &refit))
+    }
+
     pub(crate) fn new(compiled: Compiled) -> Self {
         let rig = compiled.rig().expect("the machine has a controller");
         Self { compiled, rig }

@@ -80,7 +80,7 @@ fn fits(word: &PatternWord, token: &Kind<'_>) -> Option<Option<(Hole, f64)>> {
             (number.thousandths() == Some(*thousandths)).then_some(None)
         }
         (PatternWord::Name(name), Kind::Name(found)) => (name == found).then_some(None),
-        // The name of a program behind its address: `OFACING`.
+        // The name of a program behind its address: `OFACING`, `<FACING>`.
         (PatternWord::Hole { address, hole: Hole::Program }, Kind::Name(found)) => {
             found.starts_with(address.as_str()).then_some(None)
         }

@@ -21,7 +21,7 @@ pub(super) enum Kind<'t> {
     Word { address: &'t str, number: Number, form: Option<usize> },
     /// A number alone.
     Number(Number),
-    /// Letters alone: `SUPA`, `FMAX`, `DR+`.
+    /// Letters alone: `SUPA`, `FMAX`, `DR+`; or a name in angle brackets: `<FACING>`.
     Name(&'t str),
     /// Letters and what stands in parentheses behind them.
     Call { name: &'t str, arguments: &'t str },
@@ -91,6 +91,10 @@ fn token<'t>(text: &'t str, table: &Table) -> Option<(Kind<'t>, usize)> {
     if let Some(quoted) = text.strip_prefix('"') {
         let end = quoted.find('"')?;
         return Some((Kind::Text(&quoted[..end]), end + 2));
+    }
+    if text.starts_with('<') {
+        let end = 1 + text.find('>')?;
+        return Some((Kind::Name(&text[..end]), end));
     }
     let letters = text.bytes().take_while(|byte| byte.is_ascii_alphabetic() || *byte == b'_').count();
     if letters == 0 {

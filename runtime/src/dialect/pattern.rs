@@ -25,7 +25,7 @@ pub enum PatternWord {
     },
     /// An address and a number that is a hole: `H{register}`.
     Hole {
-        /// In capitals; empty for a number that stands alone (`TOOL CALL {tool}`).
+        /// In capitals; empty for a number that stands alone (`TOOL CALL {tool}`), `<` for a name in angle brackets.
         address: String,
         /// What the number is.
         hole: Hole,

@@ -52,6 +52,9 @@ fn word(text: &str, holes: &mut impl Iterator<Item = Hole>) -> Option<(PatternWo
     if text.starts_with(MARK) {
         return Some((PatternWord::Hole { address: String::new(), hole: holes.next()? }, 1));
     }
+    if text.strip_prefix('<').is_some_and(|rest| rest.starts_with([MARK]) && rest[1..].starts_with('>')) {
+        return Some((PatternWord::Hole { address: "<".to_owned(), hole: holes.next()? }, 3));
+    }
     if let Some((thousandths, length)) = thousandths(text) {
         return Some((PatternWord::Number { thousandths }, length));
     }

@@ -415,7 +415,7 @@ pub fn dialect() -> Dialect {
                 address: "A".to_owned(),
                 picture: Picture {
                     plus: false,
-                    integer_digits: 4,
+                    integer_digits: 5,
                     integer_least: 0,
                     decimals: 3,
                     decimals_least: 0,
@@ -428,7 +428,7 @@ pub fn dialect() -> Dialect {
                 address: "C".to_owned(),
                 picture: Picture {
                     plus: false,
-                    integer_digits: 4,
+                    integer_digits: 5,
                     integer_least: 0,
                     decimals: 3,
                     decimals_least: 0,
