@@ -5,6 +5,7 @@ mod foreign;
 mod mutations;
 mod plain;
 mod published;
+mod rs274;
 mod verified;
 
 #[path = "../cli/machc.rs"]
