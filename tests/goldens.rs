@@ -4,11 +4,11 @@
 //! the authors' formulas, and then (from the third GOTO on) the words that NX printed. `impeller`: points of an impeller
 //! and the NC of a table-tilting machine all of whose axes move the workpiece, good to 2e-4.
 
-use mach_runtime::cl::event::Point;
 use mach_runtime::cl::{Next, Reader};
 use mach_runtime::kinematics::Kinematics;
 use mach_runtime::path::PathSolver;
 use mach_runtime::rig::reader_options;
+use mach_runtime::toolpath::Point;
 use machc::compile::Compiled;
 use machc::model::tables;
 use machc::plan::Interpreter;

@@ -131,3 +131,11 @@ fn a_spindle_that_turns_is_not_switched_on_again() {
         assert_eq!(lines.iter().filter(|line| line.ends_with(word)).count(), count, "{word}: {lines:#?}");
     }
 }
+
+#[test]
+fn all_coolants_that_are_on_are_on_again_before_the_next_cut() {
+    let cl = operation("LOAD/TOOL,1\nSPINDL/RPM,8000,CLW\nCOOLNT/MIST\nCOOLNT/FLOOD\n");
+    let lines = lines("both", "syntec", &(cl + &operation("LOAD/TOOL,2\n")));
+    let again = ["G54", "G0 X0.0 Y0.0", "G43 H02 Z50.", "S8000 M3", "M8", "M7"];
+    assert_eq!(behind_the_second_change(&lines), again, "{lines:#?}");
+}

@@ -18,12 +18,19 @@ use crate::report::Report;
 /// What neither the machine nor the CL file says.
 #[derive(Debug, clap::Args)]
 pub struct Options {
-    /// Unit of the CL's lengths where the file has no UNITS record
-    #[arg(long, value_name = "UNIT", value_enum, default_value_t = Unit::Mm)]
-    cl_units: Unit,
+    #[command(flatten)]
+    units: UnitsOption,
     /// Gauge length of the tool in mm, instead of the machine file's
     #[arg(long, value_name = "MM", value_parser = length_mm, allow_negative_numbers = true)]
     tool_length: Option<f64>,
+}
+
+/// What the CL file does not say.
+#[derive(Debug, clap::Args)]
+pub struct UnitsOption {
+    /// Unit of the CL's lengths where the file has no UNITS record
+    #[arg(long, value_name = "UNIT", value_enum, default_value_t = Unit::Mm)]
+    cl_units: Unit,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -41,17 +48,21 @@ impl Options {
         machine
     }
 
-    /// A reader of the CL file.
+    /// A reader of a CL file for a machine.
     pub fn reader(&self, cl: &str, machine: &Machine, report: &Report) -> Result<Reader<Box<dyn Read>>, Failure> {
+        self.units.reader(cl, reader_options(machine), report)
+    }
+}
+
+impl UnitsOption {
+    /// A reader of a CL file.
+    pub fn reader(&self, cl: &str, options: ReaderOptions, report: &Report) -> Result<Reader<Box<dyn Read>>, Failure> {
         let (input, bytes) = open(cl)?;
-        let options = ReaderOptions {
-            length_unit: match self.cl_units {
-                Unit::Mm => LengthUnit::Millimetre,
-                Unit::Inch => LengthUnit::Inch,
-            },
-            ..reader_options(machine)
+        let length_unit = match self.cl_units {
+            Unit::Mm => LengthUnit::Millimetre,
+            Unit::Inch => LengthUnit::Inch,
         };
-        Ok(Reader::new(shown(cl), watched(input, bytes, report), options))
+        Ok(Reader::new(shown(cl), watched(input, bytes, report), ReaderOptions { length_unit, ..options }))
     }
 }
 

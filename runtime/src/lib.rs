@@ -26,6 +26,7 @@ pub mod rig;
 pub mod segment;
 pub mod strictness;
 pub mod tool;
+pub mod toolpath;
 pub mod unit;
 pub mod vector;
 pub mod verify;

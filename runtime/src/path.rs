@@ -1,11 +1,11 @@
 //! Points to joints, block by block: the kinematics gives every candidate, the choice goes through them in order.
 
 use crate::branch::{Candidate, Choice, Chooser, Solutions, surplus};
-use crate::cl::event::{Approach, Point};
 use crate::compensation::Compensated;
 use crate::coordinates::in_machine_frame;
 use crate::kinematics::{Kinematics, LANES, Lane, PoseBlock};
 use crate::machine::Machine;
+use crate::toolpath::{Approach, Point};
 use std::ops::Range;
 
 /// How far a surplus axis may be from where it was and still stand there, in millimetres or degrees: rounding is no jump.

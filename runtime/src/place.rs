@@ -18,6 +18,9 @@ pub struct Frame {
 }
 
 impl Frame {
+    /// The frame that others are given in.
+    pub const BASE: Self = Self { origin_mm: [0.0; 3], x: [1.0, 0.0, 0.0], y: [0.0, 1.0, 0.0], z: [0.0, 0.0, 1.0] };
+
     /// From an origin and two directions that need not be exact: the first is kept, the second is made square to it,
     /// the third is their product. `None` when they do not span a plane.
     pub fn new(origin_mm: Vec3, x: Vec3, y: Vec3) -> Option<Self> {
@@ -29,6 +32,21 @@ impl Frame {
         }
         let y = unit(square)?;
         Some(Self { origin_mm, x, y, z: cross(x, y) })
+    }
+
+    /// Its origin, in millimetres.
+    pub fn origin_mm(&self) -> Vec3 {
+        self.origin_mm
+    }
+
+    /// The direction of its X.
+    pub fn x(&self) -> Vec3 {
+        self.x
+    }
+
+    /// The direction of its Y.
+    pub fn y(&self) -> Vec3 {
+        self.y
     }
 
     /// A direction of this frame in the frame that this one is given in.
@@ -69,6 +87,11 @@ impl Placement {
     pub fn set(&mut self, frame: Frame) {
         let first = *self.first.get_or_insert(frame);
         self.current = (frame != first).then(|| frame.relative_to(&first));
+    }
+
+    /// The frame in force, in the first one.
+    pub fn current(&self) -> Frame {
+        self.current.unwrap_or(Frame::BASE)
     }
 
     /// A point in millimetres.

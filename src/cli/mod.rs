@@ -10,6 +10,7 @@ mod emit;
 mod explain;
 mod fmt;
 mod folders;
+mod in_force;
 mod joints;
 mod machine;
 mod motion;
@@ -22,6 +23,7 @@ mod solve;
 mod solver;
 mod test;
 mod text_diff;
+mod toolpath;
 mod verify;
 mod workspace;
 
@@ -52,6 +54,7 @@ enum Command {
     Check(check::Arguments),
     Post(post::Arguments),
     Verify(verify::Arguments),
+    Toolpath(toolpath::Arguments),
     Motion(motion::Arguments),
     Show(show::Arguments),
     Build(build::Arguments),
@@ -74,6 +77,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Check(arguments) => check::run(arguments, &mut report),
         Command::Post(arguments) => post::run(arguments, &mut report),
         Command::Verify(arguments) => verify::run(arguments, &mut report),
+        Command::Toolpath(arguments) => toolpath::run(arguments, &report),
         Command::Motion(arguments) => motion::run(arguments, &mut report),
         Command::Show(arguments) => show::run(arguments, &mut report),
         Command::Build(arguments) => build::run(arguments, &report),

@@ -7,10 +7,10 @@ use mach_command::report::{Collected, Report};
 use mach_command::toolpath::{Options, quoted};
 use mach_runtime::branch::{Candidate, Choice};
 use mach_runtime::cl::Next;
-use mach_runtime::cl::event::{Approach, Point};
 use mach_runtime::kinematics::{LANES, Miss};
 use mach_runtime::machine::Machine;
 use mach_runtime::path::{PathSolver, Solved};
+use mach_runtime::toolpath::{Approach, Point};
 use machc::numeric::Inverse;
 use serde::Serialize;
 

@@ -3,7 +3,6 @@
 use crate::plan::Interpreter;
 use mach_runtime::branch::{Candidate, Choice};
 use mach_runtime::certificate::Range;
-use mach_runtime::cl::event::Point;
 use mach_runtime::compensation::Compensated;
 use mach_runtime::coordinates::{AxisOffset, from_program_zero};
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Miss, PoseBlock};
@@ -11,6 +10,7 @@ use mach_runtime::machine::Machine;
 use mach_runtime::nc::axis_word::AxisWord;
 use mach_runtime::path::{PathSolver, Solved};
 use mach_runtime::rig::Rig;
+use mach_runtime::toolpath::Point;
 use mach_runtime::vector::Vec3;
 
 /// Why a machine does not go to a point.

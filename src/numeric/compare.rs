@@ -4,7 +4,6 @@ use super::{Effort, Inverse, Solver};
 use crate::diagnostic::Diagnostic;
 use crate::plan::{Interpreter, Plan};
 use mach_runtime::certificate::Extreme;
-use mach_runtime::cl::event::Point;
 use mach_runtime::cl::{Next, Reader};
 use mach_runtime::compensation::Compensated;
 use mach_runtime::coordinates::in_machine_frame;
@@ -12,6 +11,7 @@ use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, Miss, Pole, 
 use mach_runtime::machine::Machine;
 use mach_runtime::path::PathSolver;
 use mach_runtime::tool::ToolGeometry;
+use mach_runtime::toolpath::Point;
 use mach_runtime::vector::{Vec3, angle_rad, norm, sub};
 use std::io::{self, Read};
 use std::time::Duration;

@@ -1,10 +1,10 @@
 //! The shipped controllers: a whole program of each, byte for byte.
 
 use crate::describe::dialect;
-use mach_runtime::cl::event::{Approach, Feed};
 use mach_runtime::machine::{Axis, Motion, Rule, Travel, Written};
 use mach_runtime::nc::dialect::{Dialect, Trigger};
-use mach_runtime::nc::writer::{LoadedTool, Values, Writer};
+use mach_runtime::nc::writer::{Values, Writer};
+use mach_runtime::toolpath::{Approach, Feed, LoadedTool};
 
 const SYNTEC: &str = include_str!("../../machines/controllers/syntec.mach");
 const FANUC: &str = include_str!("../../machines/controllers/fanuc.mach");

@@ -1,4 +1,4 @@
-//! CL data: NX CLSF text in, a toolpath of events out, as a stream.
+//! CL data: NX CLSF text in, a toolpath out, as a stream.
 //!
 //! [`Reader`] takes the text apart: bytes to lines (`source`), lines to records (`record`, `argument`), records to motion
 //! (`motion`) and settings (`setting`). What each record means stands in one list (`words`); those that ask in vain
@@ -6,7 +6,6 @@
 
 mod arc;
 mod argument;
-pub mod event;
 mod free_text;
 mod motion;
 mod not_used;
@@ -20,12 +19,14 @@ mod record;
 mod setting;
 mod source;
 mod told;
+mod toolpath;
 mod words;
 
 use crate::diagnostic::Code;
 
 pub use quote::quote;
 pub use reader::{Next, Reader, ReaderOptions};
+pub use toolpath::Toolpath;
 
 /// Every kind of diagnostic that reading CL text raises.
 pub static CODES: &[&Code] = &[

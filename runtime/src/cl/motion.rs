@@ -4,12 +4,12 @@ pub(super) mod circle;
 pub(super) mod pose;
 
 use crate::cl::arc::{ArcPoints, Circle};
-use crate::cl::event::{Approach, Feed, Point};
 use crate::cl::once::Once;
 use crate::cl::range::{FARTHEST_MM, checked};
 use crate::cl::record::Record;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::place::{Frame, Placement};
+use crate::toolpath::{Approach, Feed, Point};
 use crate::unit::LengthUnit;
 use crate::vector::{Vec3, add, norm, scale};
 use circle::OPEN_ARC;

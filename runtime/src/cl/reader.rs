@@ -4,7 +4,6 @@ use std::io::{self, Read};
 use std::mem;
 
 use crate::cl::arc::ArcPoints;
-use crate::cl::event::{Command, Point};
 use crate::cl::motion::{Motion, Moved};
 use crate::cl::plain::plain_goto;
 use crate::cl::record::{Outcome, Record};
@@ -13,7 +12,9 @@ use crate::cl::source::Source;
 use crate::cl::told::Told;
 use crate::cl::words::{Meaning, meaning};
 use crate::diagnostic::{Code, Diagnostic, Place};
+use crate::place::Frame;
 use crate::strictness::Strictness;
+use crate::toolpath::{Command, Point};
 use crate::unit::LengthUnit;
 
 /// The file ends too early.
@@ -95,6 +96,8 @@ pub struct Reader<R> {
     /// Where FINI stands, until motion behind it has been told.
     fini: Option<Place>,
     told: Told,
+    /// The frames that the last call has met, each with the number of points before it, and its line.
+    frames: Vec<(usize, u64, Frame)>,
     /// Diagnostics for the end of the file, last one first; there once the end is reached.
     last_words: Option<Vec<Diagnostic>>,
 }
@@ -114,6 +117,7 @@ impl<R: Read> Reader<R> {
             any_motion: false,
             fini: None,
             told: Told::default(),
+            frames: Vec::new(),
             last_words: None,
         }
     }
@@ -124,6 +128,7 @@ impl<R: Read> Reader<R> {
     /// When the input cannot be read.
     pub fn next_into(&mut self, points: &mut Vec<Point>, limit: usize) -> io::Result<Next> {
         let full = points.len() + limit;
+        self.frames.clear();
         loop {
             if let Some(last_words) = &mut self.last_words {
                 return Ok(last_words.pop().map_or(Next::End, Next::Diagnostic));
@@ -157,6 +162,12 @@ impl<R: Read> Reader<R> {
                 }
             }
         }
+    }
+
+    /// The frames that the last call has met, in that of the program zero: each with how many points there were before it, and
+    /// the line of its MSYS.
+    pub fn frames(&self) -> &[(usize, u64, Frame)] {
+        &self.frames
     }
 
     fn arc_points(&mut self, points: &mut Vec<Point>, full: usize) {
@@ -202,6 +213,9 @@ impl<R: Read> Reader<R> {
             Meaning::From => return self.motion.from(record).map(|point| Some(Next::From(point))),
             _ => {
                 self.set(meaning)?;
+                if meaning == Meaning::Frame {
+                    self.frames.push((points.len(), self.record.last_line(), self.motion.placement.current()));
+                }
                 let command = self.command(meaning)?;
                 return Ok(command.map(|command| Next::Command(command, self.record.place())));
             }

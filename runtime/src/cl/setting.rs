@@ -1,11 +1,11 @@
 //! Settings: feed, spindle, coolant, units, tools.
 
 use crate::cl::argument::shortened;
-use crate::cl::event::{Command, Coolant, Feed, Spindle};
 use crate::cl::range::out_of_range;
 use crate::cl::record::Record;
 use crate::cl::words::closest;
 use crate::diagnostic::{Code, Diagnostic, Suggestion};
+use crate::toolpath::{Command, Coolant, Feed, Spindle};
 use crate::unit::LengthUnit;
 
 /// The greatest feed, spindle speed and dwell that are believed.

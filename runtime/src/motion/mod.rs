@@ -3,10 +3,12 @@
 //!
 //! Everything is resolved: nothing is modal, there are no units to remember, and each item knows the line of its text.
 
+mod in_force;
 mod item;
 mod state;
 mod text;
 
+pub use in_force::InForce;
 pub use item::{Arc, Event, Item, Law, Move, What};
 pub use state::{Coolants, Feed, State};
 pub use text::MotionText;

@@ -59,6 +59,12 @@ impl Coolants {
         }
     }
 
+    /// With this one off.
+    #[must_use]
+    pub fn without(self, coolant: Coolant) -> Self {
+        Self(self.0 & !Self::OFF.with(coolant).0)
+    }
+
     /// Those that are on.
     pub fn iter(self) -> impl Iterator<Item = Coolant> {
         [Coolant::Flood, Coolant::Mist, Coolant::Through]

@@ -1,15 +1,11 @@
 //! Motion as text, one item a line, for people's eyes and for differences.
 
-use super::{Arc, Event, Feed, Item, Law, Motion, Move, State, What};
-use crate::dialect::meaning::{Meaning, Plane, Side, Spindle};
-use crate::dialect::names::name;
-use crate::number::rounded;
-use std::fmt::{self, Write};
+use super::{Arc, Event, InForce, Item, Law, Motion, Move, What};
+use crate::number::{fixed, short};
 
 /// How motion is written: the names of the machine's axes, and the decimals of millimetres and degrees.
 ///
-/// A line holds what happens, where every axis is then in machine coordinates, and what is in force. What is usual is left
-/// out (no compensation, the plane of X and Y, a standing spindle), and so is a feed where nothing moves at feed.
+/// A line holds what happens, where every axis is then in machine coordinates, and what is in force.
 #[derive(Debug, Clone, Copy)]
 pub struct MotionText<'a> {
     axes: &'a [String],
@@ -37,9 +33,9 @@ impl<'a> MotionText<'a> {
             What::Move(it) => (law(it).to_owned(), self.joints(it, motion)),
             What::Event(event) => (self.event(*event), " ".repeat(self.width() * self.axes.len())),
         };
-        let mut line = format!("{:>7}  {what:<14}{joints} ", item.line);
         let is_at_feed = matches!(&item.what, What::Move(it) if it.law != Law::Rapid);
-        self.state(motion.state(item), is_at_feed, &mut line).expect("text can be written");
+        let in_force = InForce { state: motion.state(item), is_at_feed, decimals: self.decimals };
+        let mut line = format!("{:>7}  {what:<14}{joints} {in_force}", item.line);
         if let What::Move(Move { law: Law::Arc(index), .. }) = &item.what {
             line += &self.arc(motion.arc(*index));
         }
@@ -54,7 +50,7 @@ impl<'a> MotionText<'a> {
     fn joints(&self, it: &Move, motion: &Motion) -> String {
         let value = |(axis, joint): (usize, &f64)| match it.known & 1 << axis {
             0 => format!("{:>width$}", "?", width = self.width()),
-            _ => format!("{:>width$}", self.fixed(*joint), width = self.width()),
+            _ => format!("{:>width$}", fixed(*joint, self.decimals), width = self.width()),
         };
         motion.joints(it).iter().enumerate().map(value).collect()
     }
@@ -62,47 +58,19 @@ impl<'a> MotionText<'a> {
     fn event(&self, event: Event) -> String {
         match event {
             Event::ToolChange(tool) => format!("tool {tool}"),
-            Event::Dwell(seconds) => format!("dwell {} s", self.short(seconds)),
+            Event::Dwell(seconds) => format!("dwell {} s", short(seconds, self.decimals)),
             Event::Stop => "stop".to_owned(),
             Event::OptionalStop => "optional stop".to_owned(),
             Event::End => "end".to_owned(),
         }
     }
 
-    fn state(&self, state: &State, is_at_feed: bool, line: &mut String) -> fmt::Result {
-        let mut number = |letter: char, number: Option<u32>| number.map_or(Ok(()), |it| write!(line, " {letter}{it}"));
-        number('T', state.tool)?;
-        number('H', state.length_register)?;
-        number('O', state.offset)?;
-        match state.spindle {
-            Spindle::Off => {}
-            Spindle::Clockwise => write!(line, " S{} cw", self.short(state.speed_rpm))?,
-            Spindle::Counterclockwise => write!(line, " S{} ccw", self.short(state.speed_rpm))?,
-        }
-        match state.feed.filter(|_| is_at_feed) {
-            None => {}
-            Some(Feed::PerMinute(feed)) => write!(line, " F{}", self.short(feed))?,
-            Some(Feed::PerRevolution(feed)) => write!(line, " F{}/rev", self.short(feed))?,
-            Some(Feed::Inverse(blocks)) => write!(line, " F{} blocks/min", self.short(blocks))?,
-        }
-        switches(state).try_for_each(|word| write!(line, " {word}"))
-    }
-
     fn arc(&self, arc: &Arc) -> String {
         let Arc { centre_mm: [x, y, z], radius_mm, normal: [i, j, k], sweep_rad } = *arc;
-        let [x, y, z] = [x, y, z].map(|it| self.fixed(it));
-        let [i, j, k] = [i, j, k].map(|it| self.short(it));
-        let [radius, turn] = [radius_mm, sweep_rad.to_degrees()].map(|it| self.fixed(it));
+        let [x, y, z] = [x, y, z].map(|it| fixed(it, self.decimals));
+        let [i, j, k] = [i, j, k].map(|it| short(it, self.decimals));
+        let [radius, turn] = [radius_mm, sweep_rad.to_degrees()].map(|it| fixed(it, self.decimals));
         format!(" about {x} {y} {z} along {i} {j} {k} radius {radius} by {turn}")
-    }
-
-    fn fixed(&self, value: f64) -> String {
-        format!("{:.decimals$}", rounded(value, self.decimals), decimals = self.decimals)
-    }
-
-    /// Without zeros at the end.
-    fn short(&self, value: f64) -> String {
-        format!("{}", rounded(value, self.decimals))
     }
 }
 
@@ -115,12 +83,4 @@ fn law(it: &Move) -> &'static str {
         (Law::Arc(_), false) => "arc",
         (Law::Arc(_), true) => "arc, machine",
     }
-}
-
-/// What is not as usual.
-fn switches(state: &State) -> impl Iterator<Item = &'static str> {
-    let plane = (state.plane != Plane::Xy).then_some(Meaning::Plane(state.plane));
-    let side = (state.side != Side::Off).then_some(Meaning::Side(state.side));
-    let said = state.coolant.iter().map(Meaning::Coolant).chain(plane).chain(side).chain(state.path.map(Meaning::Path));
-    said.filter_map(name).chain(state.tip.then_some("tip"))
 }

@@ -3,7 +3,7 @@
 use super::dialect::{Dialect, Word};
 use super::line_buffer::LineBuffer;
 use super::write_error::WriteError;
-use crate::cl::event::Feed;
+use crate::toolpath::Feed;
 
 /// Which feed the control is in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

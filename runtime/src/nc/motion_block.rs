@@ -2,8 +2,8 @@
 
 use super::dialect::{Block, Dialect, Line, Piece, Trigger, Value};
 use super::write_error::WriteError;
-use crate::cl::event::Approach;
 use crate::number::Picture;
+use crate::toolpath::Approach;
 
 /// The blocks of all motions.
 #[derive(Debug)]

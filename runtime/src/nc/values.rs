@@ -4,6 +4,7 @@ use super::dialect::{Dialect, Value, Word};
 use super::text::{print_comment, print_program_name};
 use super::write_error::WriteError;
 use crate::number::{DecimalPoint, Picture};
+use crate::toolpath::LoadedTool;
 
 /// What the placeholders of a command's block stand for.
 #[derive(Debug, Clone, Copy, Default)]
@@ -24,15 +25,6 @@ pub struct Values<'a> {
     pub speed_rpm: f64,
     /// A dwell.
     pub dwell_s: f64,
-}
-
-/// The tool in the spindle, as the control knows it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct LoadedTool {
-    /// Its number.
-    pub number: u64,
-    /// Its length register.
-    pub register: u64,
 }
 
 /// Seconds where the template gives no picture.

@@ -11,11 +11,11 @@ use super::line_buffer::LineBuffer;
 use super::motion_block::{MotionBlocks, MotionLine, Step};
 use super::moves::moves;
 pub use super::switches_off::SwitchesOff;
-pub use super::values::{LoadedTool, Values};
+pub use super::values::Values;
 use super::write_error::WriteError;
 use super::written_axes::WrittenAxes;
-use crate::cl::event::{Approach, Feed};
 use crate::machine::{Axis, Retract};
+use crate::toolpath::{Approach, Feed, LoadedTool};
 
 /// Prints one program.
 #[derive(Debug)]

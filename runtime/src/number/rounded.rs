@@ -6,14 +6,25 @@ pub fn rounded(value: f64, decimals: usize) -> f64 {
     (value * one).round() / one + 0.0
 }
 
+/// The value with so many decimals.
+pub fn fixed(value: f64, decimals: usize) -> String {
+    format!("{:.decimals$}", rounded(value, decimals))
+}
+
+/// The value with so many decimals at most: without zeros at the end.
+pub fn short(value: f64, decimals: usize) -> String {
+    format!("{}", rounded(value, decimals))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn nothing_is_printed_as_minus_zero() {
-        assert_eq!(format!("{:.4}", rounded(-0.000_04, 4)), "0.0000");
-        assert_eq!(rounded(-12.345_67, 3), -12.346);
-        assert_eq!(rounded(1e300, 0), 1e300);
+        assert_eq!(fixed(-0.000_04, 4), "0.0000");
+        assert_eq!(short(-0.000_04, 4), "0");
+        assert_eq!(fixed(-12.345_67, 3), "-12.346");
+        assert_eq!(short(-12.34, 3), "-12.34");
     }
 }

@@ -3,12 +3,12 @@
 use super::job::Job;
 use super::stretch::{PrintedPoint, Stretch};
 use crate::certificate::{Certificate, Deviation, Way};
-use crate::cl::event::{Approach, Point};
 use crate::compensation::Compensated;
 use crate::coordinates::in_machine_frame;
 use crate::kinematics::{JointBlock, Kinematics, LANES, PoseBlock};
 use crate::readback::ReadBack;
 use crate::segment::Segments;
+use crate::toolpath::{Approach, Point};
 use std::io::{self, Write};
 
 /// Checks a program as it comes.

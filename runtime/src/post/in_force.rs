@@ -1,61 +1,51 @@
 //! What the CL has said and is in force, and what the placeholders of the blocks stand for with it.
 
 use super::job::Job;
-use crate::cl::event::{Command, Coolant, Spindle};
+use crate::dialect::meaning::{Coolant, Spindle};
+use crate::motion::Coolants;
 use crate::nc::dialect::Trigger;
-use crate::nc::writer::{LoadedTool, SwitchesOff, Values};
-use std::mem;
+use crate::nc::writer::{SwitchesOff, Values};
+use crate::toolpath::{Command, State};
 
 #[derive(Debug, Default)]
 pub(super) struct InForce {
     operation: String,
     tool_name: String,
     text: String,
-    tool: Option<LoadedTool>,
-    spindle: Option<Switched>,
-    coolant: Option<Switched>,
-    speed_rpm: f64,
     dwell_s: f64,
+    state: State,
+    /// What blocks for something else have switched off, and the CL has not.
+    interrupted: Interrupted,
 }
 
-/// What the CL has switched on.
-#[derive(Debug)]
-struct Switched {
-    /// What switches it on.
-    on: Trigger,
-    /// Whether a block for something else has switched it off.
-    is_interrupted: bool,
-}
-
-impl Switched {
-    fn on(on: Trigger) -> Self {
-        Self { on, is_interrupted: false }
-    }
+#[derive(Debug, Default)]
+struct Interrupted {
+    spindle: bool,
+    coolant: Coolants,
 }
 
 impl InForce {
     /// Puts a command in force, and says what prints it: nothing for the tool that is in the spindle already.
     pub(super) fn take(&mut self, command: Command) -> Option<Trigger> {
+        if !self.state.take(&command) {
+            return None;
+        }
         Some(match command {
             Command::Operation { name, tool } => {
                 (self.operation, self.tool_name) = (name, tool);
                 Trigger::Operation
             }
-            Command::Tool { number, register } => {
-                let tool = Some(LoadedTool { number, register: register.unwrap_or(number) });
-                return (mem::replace(&mut self.tool, tool) != tool).then_some(Trigger::Tool);
+            Command::Tool { .. } => Trigger::Tool,
+            Command::SpindleOn(..) | Command::SpindleOff => {
+                self.interrupted.spindle = false;
+                spindle(self.state.spindle)
             }
-            Command::SpindleOn(direction, speed_rpm) => {
-                self.speed_rpm = speed_rpm;
-                self.spindle.insert(Switched::on(spindle(direction))).on
+            Command::CoolantOn(kind) => {
+                self.interrupted.coolant = self.interrupted.coolant.without(kind.into());
+                coolant(kind.into())
             }
-            Command::SpindleOff => {
-                self.spindle = None;
-                Trigger::SpindleOff
-            }
-            Command::CoolantOn(kind) => self.coolant.insert(Switched::on(coolant(kind))).on,
             Command::CoolantOff => {
-                self.coolant = None;
+                self.interrupted.coolant = Coolants::OFF;
                 Trigger::CoolantOff
             }
             Command::Stop => Trigger::Stop,
@@ -73,22 +63,25 @@ impl InForce {
 
     /// Notes what a block has switched off that the CL has not.
     pub(super) fn interrupt(&mut self, off: SwitchesOff) {
-        let switched =
-            self.spindle.iter_mut().filter(|_| off.spindle).chain(self.coolant.iter_mut().filter(|_| off.coolant));
-        switched.for_each(|switched| switched.is_interrupted = true);
+        self.interrupted.spindle |= off.spindle && self.spindle_turns();
+        if off.coolant {
+            self.interrupted.coolant = self.state.coolant;
+        }
     }
 
     /// What has to be switched on again before a cut, one after the other.
     pub(super) fn resume(&mut self) -> Option<Trigger> {
-        let switched = [&mut self.spindle, &mut self.coolant].into_iter().flatten();
-        let interrupted = switched.into_iter().find(|switched| switched.is_interrupted)?;
-        interrupted.is_interrupted = false;
-        Some(interrupted.on)
+        if std::mem::take(&mut self.interrupted.spindle) {
+            return Some(spindle(self.state.spindle));
+        }
+        let next = self.interrupted.coolant.iter().next()?;
+        self.interrupted.coolant = self.interrupted.coolant.without(next);
+        Some(coolant(next))
     }
 
     /// Whether the CL lets the spindle turn.
     pub(super) fn spindle_turns(&self) -> bool {
-        self.spindle.is_some()
+        self.state.spindle != Spindle::Off
     }
 
     /// What the placeholders stand for.
@@ -99,22 +92,24 @@ impl InForce {
             operation: &self.operation,
             tool_name: &self.tool_name,
             text: &self.text,
-            tool: self.tool,
-            speed_rpm: self.speed_rpm,
+            tool: self.state.tool,
+            speed_rpm: self.state.speed_rpm,
             dwell_s: self.dwell_s,
         }
     }
 }
 
-fn spindle(direction: Spindle) -> Trigger {
-    match direction {
+fn spindle(spindle: Spindle) -> Trigger {
+    match spindle {
+        Spindle::Off => Trigger::SpindleOff,
         Spindle::Clockwise => Trigger::SpindleClockwise,
         Spindle::Counterclockwise => Trigger::SpindleCounterclockwise,
     }
 }
 
-fn coolant(kind: Coolant) -> Trigger {
-    match kind {
+fn coolant(coolant: Coolant) -> Trigger {
+    match coolant {
+        Coolant::Off => Trigger::CoolantOff,
         Coolant::Flood => Trigger::CoolantFlood,
         Coolant::Mist => Trigger::CoolantMist,
         Coolant::Through => Trigger::CoolantThrough,

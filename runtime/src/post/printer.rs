@@ -6,13 +6,13 @@ use super::refusal::{self, NO_FEED_RATE, SPINDLE_STANDS, TOO_MANY_ERRORS};
 use super::stretch::{PrintedPoint, Stretch};
 use crate::branch::{Candidate, Choice};
 use crate::cl::Next;
-use crate::cl::event::{Approach, Command, Point};
 use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::kinematics::Kinematics;
 use crate::nc::dialect::Trigger;
 use crate::nc::write_error::WriteError;
 use crate::nc::writer::Writer;
 use crate::path::{PathSolver, Solved};
+use crate::toolpath::{Approach, Command, Point};
 use std::mem;
 use std::ops::Range;
 

@@ -1,9 +1,9 @@
 //! A stretch of the program on its way: read from the CL, printed, checked. Then it is empty, and used again.
 
-use crate::cl::event::Point;
 use crate::cl::{Next, Reader};
 use crate::diagnostic::Diagnostic;
 use crate::kinematics::LANES;
+use crate::toolpath::Point;
 use std::io::{self, Read};
 use std::ops::Range;
 

@@ -1,13 +1,13 @@
 //! What a controller's own blocks do at their events: how a program of this description looks between the points of the CL.
 
-use crate::cl::event::Approach;
 use crate::control::Control;
 use crate::dialect::meaning::Spindle;
 use crate::dialect::table::Table;
 use crate::machine::{Axis, Machine, Motion as AxisMotion};
 use crate::motion::{Event, Item, Motion, State, What};
 use crate::nc::dialect::{Dialect, Trigger};
-use crate::nc::writer::{LoadedTool, Values, Writer};
+use crate::nc::writer::{Values, Writer};
+use crate::toolpath::{Approach, LoadedTool};
 
 /// The number of the tool and its register in the trial.
 const TOOL: u64 = 7;

@@ -3,7 +3,6 @@
 use super::habit::Habit;
 use super::mismatch::{Difference, Found};
 use super::tolerance::Tolerance;
-use super::wanted::WantedState;
 use crate::dialect::meaning::{Side, Spindle};
 use crate::motion::{Feed, State};
 use std::collections::BTreeSet;
@@ -23,7 +22,7 @@ pub(super) struct Reached {
     pub(super) is_cut: bool,
     /// Whether the program is.
     pub(super) cuts: bool,
-    pub(super) wanted: WantedState,
+    pub(super) wanted: State,
     pub(super) state: State,
 }
 
@@ -77,13 +76,13 @@ fn differences(reached: &Reached, habit: &Habit, tolerance: &Tolerance<'_>) -> V
     found
 }
 
-fn tool(is_cut: bool, wanted: &WantedState, state: &State, habit: &Habit) -> Option<String> {
-    let (tool, register) = wanted.tool?;
+fn tool(is_cut: bool, wanted: &State, state: &State, habit: &Habit) -> Option<String> {
+    let tool = wanted.tool?;
     if state.tool != Some(tool) {
         let found = state.tool.map_or("no tool".to_owned(), |tool| format!("tool {tool}"));
         return Some(format!("{found} is in the spindle, in the CL it is tool {tool}"));
     }
-    let wanted_register = if habit.has_register_of_tool { Some(register) } else { habit.state.length_register };
+    let wanted_register = if habit.has_register_of_tool { wanted.length_register } else { habit.state.length_register };
     // The length comes with the last block of an approach, and a point may be reached before.
     if is_cut && state.length_register != wanted_register {
         let said = |register: Option<u32>| register.map_or("none".to_owned(), |register| register.to_string());
@@ -104,7 +103,7 @@ fn habitual(state: &State, habit: &State) -> Option<String> {
     (state.side != Side::Off).then(|| "the cutter's radius is compensated".to_owned())
 }
 
-fn feed(wanted: &WantedState, state: &State, tolerance: &Tolerance<'_>) -> Option<String> {
+fn feed(wanted: &State, state: &State, tolerance: &Tolerance<'_>) -> Option<String> {
     let same = match (wanted.feed, state.feed) {
         (None, _) => true,
         (Some(Feed::PerMinute(a)), Some(Feed::PerMinute(b))) => (a - b).abs() <= tolerance.feed_mm_per_min,
@@ -114,7 +113,7 @@ fn feed(wanted: &WantedState, state: &State, tolerance: &Tolerance<'_>) -> Optio
     (!same).then(|| format!("the feed is {} instead of {}", fed(state.feed), fed(wanted.feed)))
 }
 
-fn spindle(wanted: &WantedState, state: &State) -> Option<String> {
+fn spindle(wanted: &State, state: &State) -> Option<String> {
     if wanted.spindle != state.spindle {
         let doing = |spindle| match spindle {
             Spindle::Off => "stands",

@@ -2,8 +2,8 @@
 
 use crate::read::{Read, read, read_with};
 use mach_runtime::cl::ReaderOptions;
-use mach_runtime::cl::event::{Approach, Command, Coolant, Feed, Spindle};
 use mach_runtime::machine::Strictness;
+use mach_runtime::toolpath::{Approach, Command, Coolant, Feed, Spindle};
 use mach_runtime::unit::LengthUnit;
 
 fn clean(text: &str) -> Read {

@@ -1,8 +1,8 @@
 //! Reads a whole CL text for the tests.
 
-use mach_runtime::cl::event::{Command, Point};
 use mach_runtime::cl::{Next, Reader, ReaderOptions};
 use mach_runtime::diagnostic::Diagnostic;
+use mach_runtime::toolpath::{Command, Point};
 
 /// All that a CL text gives.
 #[derive(Default)]

@@ -1,10 +1,10 @@
 //! Read-back: what the text says, whoever wrote it.
 
 use crate::table::{axes, dialect};
-use mach_runtime::cl::event::{Approach, Feed};
 use mach_runtime::nc::dialect::Dialect;
 use mach_runtime::nc::writer::Writer;
 use mach_runtime::readback::{Mistake, ReadBack, ReadError};
+use mach_runtime::toolpath::{Approach, Feed};
 use mach_runtime::unit::LengthUnit;
 
 fn read(reader: &mut ReadBack, text: &str) -> Result<[f64; 5], ReadError> {

@@ -1,11 +1,11 @@
 //! The writer: what is printed, and when.
 
 use crate::table::{axes, dialect, with_approach};
-use mach_runtime::cl::event::{Approach, Feed};
 use mach_runtime::nc::dialect::{Block, Dialect, Trigger};
 use mach_runtime::nc::write_error::WriteError;
-use mach_runtime::nc::writer::{LoadedTool, Values, Writer};
+use mach_runtime::nc::writer::{Values, Writer};
 use mach_runtime::number::{DecimalPoint, Picture};
+use mach_runtime::toolpath::{Approach, Feed, LoadedTool};
 use mach_runtime::unit::LengthUnit;
 
 const FEED: Approach = Approach::Feed(Some(Feed::PerMinute(500.0)));

@@ -3,10 +3,11 @@
 use mach_runtime::dialect::meaning::Meaning;
 use mach_runtime::dialect::names::name;
 use mach_runtime::machine::Axis;
-use mach_runtime::motion::{self, Event, Feed, Item, Law, Motion, Move, State, What};
+use mach_runtime::motion::{self, Event, Item, Law, Motion, Move, State, What};
 use serde::Serialize;
 
 use super::super::axis_values::AxisValues;
+use super::super::in_force::InForce;
 
 #[derive(Serialize)]
 pub(super) struct Message<'a> {
@@ -42,26 +43,13 @@ struct Arc {
 
 #[derive(Serialize)]
 struct StateMessage {
-    tool: Option<u32>,
-    length_register: Option<u32>,
+    #[serde(flatten)]
+    in_force: InForce,
     offset: Option<u32>,
-    spindle: Option<&'static str>,
-    speed_rpm: f64,
-    feed: Option<FeedMessage>,
-    coolant: Vec<&'static str>,
     plane: Option<&'static str>,
     side: Option<&'static str>,
     path: Option<&'static str>,
     tip: bool,
-}
-
-/// The unit is the key.
-#[derive(Serialize)]
-#[serde(rename_all = "snake_case")]
-enum FeedMessage {
-    MmPerMin(f64),
-    MmPerRev(f64),
-    BlocksPerMin(f64),
 }
 
 impl<'a> Message<'a> {
@@ -107,17 +95,8 @@ impl Arc {
 impl StateMessage {
     fn new(state: &State) -> Self {
         Self {
-            tool: state.tool,
-            length_register: state.length_register,
+            in_force: InForce::new(state),
             offset: state.offset,
-            spindle: name(Meaning::Spindle(state.spindle)),
-            speed_rpm: state.speed_rpm,
-            feed: state.feed.map(|feed| match feed {
-                Feed::PerMinute(mm) => FeedMessage::MmPerMin(mm),
-                Feed::PerRevolution(mm) => FeedMessage::MmPerRev(mm),
-                Feed::Inverse(blocks) => FeedMessage::BlocksPerMin(blocks),
-            }),
-            coolant: state.coolant.iter().filter_map(|coolant| name(Meaning::Coolant(coolant))).collect(),
             plane: name(Meaning::Plane(state.plane)),
             side: name(Meaning::Side(state.side)),
             path: state.path.and_then(|path| name(Meaning::Path(path))),

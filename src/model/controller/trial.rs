@@ -2,12 +2,12 @@
 
 use super::lowering::Lowering;
 use crate::syntax::tree::{ControllerStatement, Span};
-use mach_runtime::cl::event::{Approach, Feed};
 use mach_runtime::diagnostic::Code;
 use mach_runtime::machine::{Axis, Motion, Rule, Travel, Written};
 use mach_runtime::nc::dialect::{Dialect, Trigger};
-use mach_runtime::nc::writer::{LoadedTool, Writer};
+use mach_runtime::nc::writer::Writer;
 use mach_runtime::readback::ReadBack;
+use mach_runtime::toolpath::{Approach, Feed, LoadedTool};
 use mach_runtime::unit::LengthUnit;
 
 /// A motion block that cannot be read back.

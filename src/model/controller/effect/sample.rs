@@ -1,11 +1,11 @@
 //! The text of a block with sample values.
 
 use super::super::ControlledAxis;
-use mach_runtime::cl::event::{Approach, Feed};
 use mach_runtime::dialect::meaning::FeedMode;
 use mach_runtime::machine::{Axis, Motion, Rule, Travel, Written};
 use mach_runtime::nc::dialect::{Block, Dialect, Trigger};
-use mach_runtime::nc::writer::{LoadedTool, Values, Writer};
+use mach_runtime::nc::writer::{Values, Writer};
+use mach_runtime::toolpath::{Approach, Feed, LoadedTool};
 use mach_runtime::unit::LengthUnit;
 
 /// The number of the tool and of its register, revolutions a minute and a dwell in seconds, in the trial.
