@@ -111,7 +111,10 @@ fn block(line: &str, (open, close): &(String, String)) -> Option<String> {
         };
         block.push(c);
     }
-    Some(block)
+    // A program's own name stands between the words of its frame.
+    let is_frame = block.contains(" BEGIN PGM ") || block.contains(" END PGM ");
+    let words = block.split(' ').enumerate().map(|(index, word)| if is_frame && index == 3 { "P" } else { word });
+    Some(words.collect::<Vec<_>>().join(" "))
 }
 
 #[test]
@@ -120,7 +123,7 @@ fn foreign_names_and_texts_change_no_block() {
     for rig in mills() {
         let comment = &rig.dialect.comment;
         let expected = blocks(&posted(&rig, &plain).expect("a program"), comment).expect("a clean program");
-        assert!(expected.iter().any(|line| line.contains("Z1")), "{expected:#?}");
+        assert!(expected.iter().any(|line| line.contains("Z1") || line.contains("Z+1")), "{expected:#?}");
         let config = Config { cases: 512, failure_persistence: None, ..Config::default() };
         let rng = TestRng::deterministic_rng(config.rng_algorithm);
         let cases = TestRunner::new_with_rng(config, rng).run(&foreign(), |foreign| {

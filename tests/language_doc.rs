@@ -66,6 +66,7 @@ impl Sources for Library<'_> {
             "example.mach" => Ok(self.0.to_owned()),
             "controllers/syntec.mach" => Ok(include_str!("../machines/controllers/syntec.mach").to_owned()),
             "controllers/siemens.mach" => Ok(include_str!("../machines/controllers/siemens.mach").to_owned()),
+            "controllers/heidenhain.mach" => Ok(include_str!("../machines/controllers/heidenhain.mach").to_owned()),
             "base.mach" => Ok(BASE.to_owned()),
             _ => Err("no such file".to_owned()),
         }

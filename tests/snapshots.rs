@@ -22,7 +22,7 @@ use refit::Refit;
 use stems::stems;
 
 /// The controls that no shipped machine has by itself.
-const ELSEWHERE: [&str; 2] = ["fanuc", "linuxcnc"];
+const ELSEWHERE: [&str; 3] = ["fanuc", "linuxcnc", "heidenhain"];
 
 /// The programs that are locked for each of these, on machines that have the control instead of their own.
 const CHOSEN: [(&str, &str); 6] = [

@@ -5,6 +5,7 @@
 //! (`G53 Z0.`) are not for this reader, and the writer prints every axis after them.
 
 use crate::coordinates::{AxisOffset, word_unit};
+use crate::dialect::table::BlockKind;
 use crate::machine::Axis;
 use crate::nc::dialect::Dialect;
 use crate::number::{Decimal, usual_decimal};
@@ -29,6 +30,8 @@ pub struct ReadBack {
     /// The axes by their addresses, the longest first.
     by_address: Vec<usize>,
     comment: (Vec<u8>, Vec<u8>),
+    /// Whether a name may be one letter, and a number without an address begins the block.
+    is_of_statements: bool,
 }
 
 /// What a byte begins, where one word or block is over.
@@ -105,6 +108,7 @@ impl ReadBack {
             words,
             by_address,
             comment,
+            is_of_statements: dialect.block_kind == BlockKind::Statements,
         }
     }
 
@@ -202,14 +206,16 @@ impl ReadBack {
     fn other_word(&self, text: &[u8], at: usize) -> Option<usize> {
         let letters = text[at..].iter().take_while(|byte| byte.is_ascii_uppercase()).count();
         if letters == 0 {
-            return None;
+            let begins_line = at == 0 || text[at - 1] == b'\n';
+            let digits = text[at..].iter().take_while(|byte| byte.is_ascii_digit()).count();
+            return (self.is_of_statements && begins_line && digits > 0).then_some(at + digits);
         }
         let behind = at + letters;
         let (name_end, end) = match number(text, behind) {
             Some((_, end)) if text.get(end) == Some(&b'=') => (end, number(text, end + 1)?.1),
             Some((_, end)) => (behind, end),
             None if text.get(behind) == Some(&b'=') => (behind, number(text, behind + 1)?.1),
-            None if letters > 1 => (behind, behind),
+            None if letters > 1 || self.is_of_statements => (behind, behind),
             None => return None,
         };
         let name = &text[at..name_end];

@@ -3,9 +3,10 @@
 use std::path::Path;
 
 /// Path and text of each, as in `machines/`.
-pub(super) const CONTROLLERS: [(&str, &str); 4] = [
+pub(super) const CONTROLLERS: [(&str, &str); 5] = [
     ("controllers/fanuc.mach", include_str!("../../machines/controllers/fanuc.mach")),
     ("controllers/linuxcnc.mach", include_str!("../../machines/controllers/linuxcnc.mach")),
+    ("controllers/heidenhain.mach", include_str!("../../machines/controllers/heidenhain.mach")),
     ("controllers/siemens.mach", include_str!("../../machines/controllers/siemens.mach")),
     ("controllers/syntec.mach", include_str!("../../machines/controllers/syntec.mach")),
 ];

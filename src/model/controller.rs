@@ -3,10 +3,13 @@
 mod address;
 mod beside;
 mod block;
+mod blocks;
 mod code;
 mod comment;
 mod controlled_axis;
 mod effect;
+mod feed_unit;
+mod form;
 mod lowering;
 mod motion;
 mod pattern;
@@ -20,7 +23,8 @@ mod template;
 mod trial;
 mod word;
 
-use crate::syntax::tree::{ControllerStatement, Span, Text};
+use crate::syntax::tree::{BlockKind, ControllerStatement, Span, Text};
+use blocks::Blocks;
 pub use controlled_axis::ControlledAxis;
 use lowering::Lowering;
 use mach_runtime::diagnostic::{Code, Diagnostic, Place};
@@ -30,7 +34,7 @@ use mach_runtime::nc::dialect::{Codes, Dialect};
 use mach_runtime::unit::LengthUnit;
 
 /// Everything that can be wrong with a controller.
-pub static CODES: [&Code; 18] = [
+pub static CODES: [&Code; 21] = [
     &picture::BAD_PICTURE,
     &word::UNKNOWN_FORMAT,
     &address::BAD_ADDRESS,
@@ -49,6 +53,9 @@ pub static CODES: [&Code; 18] = [
     &code::MORE_THAN_A_CODE,
     &retract::NO_AXIS_WORD,
     &comment::BAD_DELIMITER,
+    &blocks::BAD_MARK,
+    &form::BAD_FORM,
+    &feed_unit::BAD_UNIT,
 ];
 
 /// A controller that says too little.
@@ -106,29 +113,33 @@ pub fn lower(controller: &Controller<'_>, axes: &[ControlledAxis<'_>]) -> Result
     let mut lowering = Lowering::new(controller);
     let units = units(&lowering);
     let formats = word::formats(&mut lowering, units);
-    address::check(&mut lowering, axes);
+    let comment = comment::comment(&mut lowering);
+    let blocks_are = Blocks::of(&mut lowering, &comment);
+    address::check(&mut lowering, axes, blocks_are.kind);
     let axis_words = word::axes(&mut lowering, &formats, axes);
     let feed = word::feed(&mut lowering, &formats);
-    let comment = comment::comment(&mut lowering);
-    let modal_groups = modal_groups(&lowering);
+    feed_unit::check(&mut lowering);
+    let modal_groups = modal_groups(&lowering, blocks_are.kind);
     code::check(&mut lowering, axes, &modal_groups);
     let blocks = block::blocks(&mut lowering, axes, &modal_groups, &comment);
     let extension = lowering.last(extension_statement).map(|(index, text)| lowering.printable(index, text));
     let sequence = sequence::sequence(&mut lowering);
-    let table = table::table(&mut lowering, &formats, axes, &axis_words, &comment, sequence.as_ref());
+    let table = table::table(&mut lowering, &formats, axes, &axis_words, &comment, sequence.as_ref(), &blocks_are);
     let retract = retract::retract(&mut lowering, axes);
     let dialect = Dialect {
         name: controller.name.to_owned(),
         units,
         extension: extension.unwrap_or_else(|| "nc".to_owned()),
         comment,
+        block_kind: blocks_are.kind,
         sequence,
-        offset: offset(&mut lowering),
+        offset: blocks_are.printed(&offset(&mut lowering)),
         retract,
         codes: codes(&lowering, units),
         axes: axis_words,
         feed_per_revolution: word::feed_per_revolution(&mut lowering, &formats).unwrap_or_else(|| feed.clone()),
         feed,
+        feed_unit_um: if units == LengthUnit::Inch { feed_unit::inch_um(&lowering) } else { 1000 },
         modal_groups,
         blocks,
     };
@@ -164,8 +175,11 @@ fn codes(lowering: &Lowering<'_>, units: LengthUnit) -> Codes {
     }
 }
 
-/// The codes of motions, which replace each other.
-fn modal_groups(lowering: &Lowering<'_>) -> Vec<Vec<String>> {
+/// The codes of motions, which replace each other; a statement says its own.
+fn modal_groups(lowering: &Lowering<'_>, blocks: BlockKind) -> Vec<Vec<String>> {
+    if blocks == BlockKind::Statements {
+        return Vec::new();
+    }
     let members = table::members(lowering);
     let motions = members.iter().filter(|(_, member)| matches!(member.meaning.0, Meaning::Motion(_)));
     vec![motions.filter_map(|(_, member)| table::literal(lowering, member.meaning)).collect()]

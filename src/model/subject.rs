@@ -4,6 +4,7 @@ use super::error_name::ErrorName;
 use crate::syntax::tree::{
     Body, BranchStatement, Broken, ControllerStatement, MachineStatement, Name, Span, Stated, ToleranceKind, Trivia,
 };
+use mach_runtime::dialect::names;
 
 /// A statement of a definition that can be like another one.
 pub(crate) trait Statement: Clone {
@@ -134,6 +135,8 @@ impl Statement for ControllerStatement {
         let all = |kind: &str, names: &[Name]| names.iter().map(|name| format!("{kind} {}", name.value)).collect();
         let subject = match self {
             Self::Units(_) => "units".to_owned(),
+            Self::Blocks { .. } => "blocks".to_owned(),
+            Self::Form { meaning, .. } => format!("form {}", names::form_name(meaning.value)),
             Self::Extension(_) => "extension".to_owned(),
             Self::Comment { .. } => "comment".to_owned(),
             Self::NoSequence | Self::Sequence { .. } => "sequence".to_owned(),
@@ -152,11 +155,12 @@ impl Statement for ControllerStatement {
     /// A list of words is one statement a word.
     fn parts(&self, span: &Span) -> Vec<(Span, Self)> {
         match self {
-            Self::Word { names, format, address } => {
+            Self::Word { names, format, address, inch } => {
                 let word = |name: &Name| Self::Word {
                     names: vec![name.clone()],
                     format: format.clone(),
                     address: address.clone(),
+                    inch: inch.clone(),
                 };
                 names.iter().map(|name| (span.clone(), word(name))).collect()
             }

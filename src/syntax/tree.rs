@@ -1,6 +1,7 @@
 //! The syntax tree of a `.mach` file. Every node that a diagnostic may point at carries its span.
 
 pub use mach_runtime::dialect::meaning::Meaning;
+pub use mach_runtime::dialect::table::{BlockKind, FormMeaning};
 pub use mach_runtime::nc::dialect::Trigger;
 pub use mach_runtime::strictness::Strictness;
 pub use mach_runtime::unit::LengthUnit;
@@ -428,6 +429,13 @@ pub enum Unit {
 pub enum ControllerStatement {
     /// `units mm` or `units inch`: of the program.
     Units(Spanned<LengthUnit>),
+    /// `blocks words`, `blocks statements continued "~"`.
+    Blocks {
+        /// How they are put together.
+        kind: Spanned<BlockKind>,
+        /// What stands at the end of a line that goes on in the next one.
+        continued: Option<Text>,
+    },
     /// `extension "nc"`.
     Extension(Text),
     /// `comment "(" ")"`, `comment ";"`.
@@ -473,6 +481,15 @@ pub enum ControllerStatement {
         format: Name,
         /// What is printed before the number, where it is not the name itself.
         address: Option<Text>,
+        /// What one is in a program in inches, where it is not an inch.
+        inch: Option<Expression>,
+    },
+    /// `form incremental "I{address}{number}"`: another way to write the word of an axis.
+    Form {
+        /// How the number is meant.
+        meaning: Spanned<FormMeaning>,
+        /// The word.
+        text: Spanned<Vec<Spanned<TemplatePiece>>>,
     },
     /// `write C 0 .. 360`.
     WriteRange {
@@ -517,7 +534,27 @@ pub struct Member {
     /// What it means, and the number that goes with it.
     pub meaning: (Meaning, Option<u32>),
     /// Its texts: the first one is printed, all are read.
-    pub patterns: Vec<Spanned<Vec<Spanned<TemplatePiece>>>>,
+    pub texts: Vec<MemberText>,
+}
+
+/// A text of a member, and what it does beside that.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MemberText {
+    /// The text.
+    pub pattern: Spanned<Vec<Spanned<TemplatePiece>>>,
+    /// `(length on)`: members of other groups, which come into force with it.
+    pub effects: Vec<Effect>,
+}
+
+/// A member of a group that comes into force with another text.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Effect {
+    /// The group.
+    pub group: &'static str,
+    /// The member's name in it.
+    pub member: String,
+    /// What it means.
+    pub meaning: Meaning,
 }
 
 /// One line of a block: `"T{tool} M6"`, or `bare "%"` for a line without a sequence number.

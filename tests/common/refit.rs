@@ -17,6 +17,24 @@ const ALONG_X: &str = r#"
     }
 "#;
 
+/// The same in Klartext, where the tool's axis is said with the tool.
+const KLARTEXT_ALONG_X: &str = r#"
+    on tool {
+        "M9"
+        "M5"
+        "L {retract} R0 FMAX M91"
+        "TOOL CALL {tool} X"
+    }
+    on spindle clockwise {
+        "TOOL CALL X S{speed}"
+        "M3"
+    }
+    on spindle counterclockwise {
+        "TOOL CALL X S{speed}"
+        "M4"
+    }
+"#;
+
 /// The machine's file does not count the travel as the control does.
 const FROM_THE_TOP: &str = " retract \"Z0.\" ";
 
@@ -47,6 +65,10 @@ impl Refit<'_> {
     pub(crate) fn text(&self) -> String {
         let Self { machine, control } = self;
         let own = OWN.iter().find(|(name, _)| name == machine).map(|(_, own)| own.concat()).unwrap_or_default();
+        let own = match *control {
+            "heidenhain" => own.replace(ALONG_X, KLARTEXT_ALONG_X).replace("Z0.", "Z+0"),
+            _ => own,
+        };
         format!(
             "use \"{machine}.mach\"\nuse \"controllers/{control}.mach\"\n\n\
              machine {machine}_{control} like {machine} {{\n    controller {control} {{{own}}}\n}}\n"

@@ -24,6 +24,7 @@ impl Sources for Files {
             "m.mach" => Ok(self.0.clone()),
             "controllers/syntec.mach" => Ok(include_str!("../../machines/controllers/syntec.mach").to_owned()),
             "controllers/siemens.mach" => Ok(include_str!("../../machines/controllers/siemens.mach").to_owned()),
+            "controllers/heidenhain.mach" => Ok(include_str!("../../machines/controllers/heidenhain.mach").to_owned()),
             _ => Err("no such file".to_owned()),
         }
     }
@@ -124,6 +125,48 @@ fn every_other_block_does_what_its_event_says_and_no_more() {
 }
 
 #[test]
+fn a_statement_does_what_its_event_says() {
+    for (own, words) in [
+        (r#"on feed { "L {axes} R0 {feed} FMAX" }"#, "`on feed` moves in rapid traverse"),
+        (r#"on feed { "L {axes} R0 ; {feed}" }"#, "does not cut at the feed that it is given"),
+        (r#"on feed { "L {axes} RL {feed}" }"#, "leaves a function of the control on"),
+        (r#"on rapid { "L {axes} R0" }"#, "`on rapid` moves at feed"),
+        (r#"on feed { "L {axes} R0 {feed} M91" }"#, "does not move on a straight line to the programmed point"),
+        (r#"on feed { "L {axes} R0 {feed} M5" }"#, "leaves the spindle standing"),
+        (r#"on tool { "L {retract} R0 FMAX" "TOOL CALL {tool} Z" }"#, "otherwise than in rapid traverse and machine"),
+        (
+            r#"on tool { "L {retract} R0 F1000 M91" "TOOL CALL {tool} Z" }"#,
+            "otherwise than in rapid traverse and machine",
+        ),
+        (r#"on tool { "TOOL DEF {tool}" }"#, "there should be a change to tool 7"),
+        (r#"on stop { "M0" "TOOL CALL 2 Z" }"#, "leaves another length of the tool in force"),
+        (r#"on dwell { "CYCL DEF 9.0 DWELL TIME" }"#, "there should be a dwell of 1.5 s"),
+        (r#"on dwell { "CYCL DEF 9.1 DWELL {milliseconds}" }"#, "a dwell of 1500 s instead of a dwell of 1.5 s"),
+        (r#"on end { "M9" }"#, "there should be the end of the program"),
+        (r#"on start { "BEGIN PGM {program} INCH" "M137" }"#, "another unit of length"),
+        (r#"on start { "BEGIN PGM {program}" "M137" }"#, "does not say the unit of length"),
+        (r#"on spindle clockwise { "M13" }"#, "turning clockwise at 500"),
+        (r#"on spindle clockwise { "TOOL CALL Z S{speed}" "M13" }"#, "switches the coolant otherwise than it says"),
+        (r#"on stop { "M0" "CYCL DEF 247 DATUM SETTING ~" bare "Q339=+3" }"#, "leaves another work offset in force"),
+    ] {
+        assert_refused("heidenhain", own, "E0563", words);
+    }
+    for (own, words) in [
+        (r#"on feed { "{axes} R0 {feed}" }"#, "knows no word `X+0.5`"),
+        (r#"on feed { "R0 L {axes} {feed}" }"#, "knows no word `L`"),
+        (r#"on feed { "LN {axes} R0 {feed}" }"#, "knows no word `LN`"),
+        (r#"on feed { "M3 {axes} R0 {feed}" }"#, "no code says how the axis moves"),
+        (r#"on feed { "C {axes} DR+ R0 {feed}" }"#, "neither a centre nor a radius"),
+        (r#"on tool { "TOOL CALL {tool}" }"#, "knows no word `TOOL`"),
+        (r#"on tool { "L Z+5 R0 FMAX" "TOOL CALL {tool} Z" }"#, "an axis word that is written out"),
+        (r#"on stop { "M0" "M128" }"#, "knows no word `M128`"),
+        (r#"on stop { "M0" "CYCL DEF 247 DATUM SETTING ~" "M5" }"#, "knows no word `CYCL`"),
+    ] {
+        assert_refused("heidenhain", own, "E0562", words);
+    }
+}
+
+#[test]
 fn units_of_another_program_are_refused() {
     assert_refused(
         "syntec",
@@ -153,4 +196,11 @@ fn a_declared_code_may_stand() {
     assert_eq!(told("syntec", r#"on approach { "G0 G43 H{register} {axes}" }"#), []);
     assert_eq!(told("syntec", ""), []);
     assert_eq!(told("siemens", ""), []);
+    assert_eq!(told("heidenhain", ""), []);
+    assert_eq!(
+        told("heidenhain", r#"plain "M116" "feeds along rotary axes" on feed { "L {axes} R0 {feed} M116" }"#),
+        []
+    );
+    assert_eq!(told("heidenhain", r#"offset 2 on operation { "{offset}" }"#), []);
+    assert_eq!(told("heidenhain", "units inch"), []);
 }

@@ -251,6 +251,10 @@ fn simple_statement() -> impl Strategy<Value = ControllerStatement> {
     prop_oneof![
         select(vec![LengthUnit::Millimetre, LengthUnit::Inch]).prop_map(|unit| S::Units(at(unit))),
         text().prop_map(S::Extension),
+        Just(S::Blocks { kind: at(BlockKind::Words), continued: None }),
+        option::of(text()).prop_map(|continued| S::Blocks { kind: at(BlockKind::Statements), continued }),
+        (select(names::FORMS.to_vec()), pieces())
+            .prop_map(|((_, meaning), text)| S::Form { meaning: at(meaning), text: at(text) }),
         (text(), option::of(text())).prop_map(|(open, close)| S::Comment { open, close }),
         Just(S::NoSequence),
         (text(), number(), number(), number()).prop_map(|(address, start, step, greatest)| S::Sequence {
@@ -277,11 +281,8 @@ fn row_statement() -> impl Strategy<Value = ControllerStatement> {
             inch,
             zero
         }),
-        (vec(axis(), 1..4), format(), option::of(text())).prop_map(|(names, format, address)| S::Word {
-            names,
-            format,
-            address
-        }),
+        (vec(axis(), 1..4), format(), option::of(text()), option::of(expression()))
+            .prop_map(|(names, format, address, inch)| S::Word { names, format, address, inch }),
     ]
 }
 
@@ -301,11 +302,24 @@ fn group_statement() -> impl Strategy<Value = ControllerStatement> {
 fn member(group: &'static str) -> impl Strategy<Value = Member> {
     let known: Vec<String> = names::members(group).map(str::to_owned).collect();
     let known = if known.is_empty() { vec!["1".to_owned(), "17".to_owned()] } else { known };
-    (select(known), vec(pieces(), 1..4)).prop_map(move |(name, patterns)| Member {
+    let text =
+        (pieces(), vec(effect(), 0..3)).prop_map(|(pattern, effects)| MemberText { pattern: at(pattern), effects });
+    (select(known), vec(text, 1..4)).prop_map(move |(name, texts)| Member {
         meaning: names::meaning(group, &name).expect("a name of the group"),
         name: at(name),
-        patterns: patterns.into_iter().map(at).collect(),
+        texts,
     })
+}
+
+/// A member of another group.
+fn effect() -> impl Strategy<Value = Effect> {
+    let known: Vec<_> = names::NAMES.iter().filter(|(group, ..)| *group != "once").collect();
+    let effect = |(group, member, meaning): &(&'static str, &str, Meaning)| Effect {
+        group,
+        member: (*member).to_owned(),
+        meaning: *meaning,
+    };
+    select(known.into_iter().map(effect).collect::<Vec<_>>())
 }
 
 fn template() -> impl Strategy<Value = LineTemplate> {

@@ -2,6 +2,7 @@
 
 mod agreement;
 mod foreign;
+mod klartext;
 mod mutations;
 mod plain;
 mod published;

@@ -6,6 +6,7 @@ use super::verified::Setup;
 use mach_runtime::control::Control;
 use mach_runtime::diagnostic::Severity;
 use mach_runtime::dialect::meaning::Spindle;
+use mach_runtime::dialect::table::BlockKind;
 use mach_runtime::machine::Retract;
 use mach_runtime::motion::{Event, Law, Motion, State, What};
 use machc::model::tables;
@@ -15,8 +16,9 @@ use std::path::Path;
 /// So many changed programs for each control.
 const COUNT: usize = 2000;
 
-/// Kinds of edits, and how often a place is looked for that takes one.
+/// Kinds of edits, those with statements among them, and how often a place is looked for that takes one.
 const KINDS: usize = 14;
+const KINDS_OF_STATEMENTS: usize = 16;
 const TRIES: usize = 300;
 
 /// Ends of moves closer than this, in millimetres or degrees, are one: the rounding that a comparison has to allow.
@@ -177,8 +179,10 @@ fn changed(kind: usize, lines: &[String], random: &mut Random) -> Option<(&'stat
             "a word moved"
         }
         5 => {
-            lines[at] = replaced("G0", "G1").or_else(|| replaced("G1", "G0"))?;
-            "G0 and G1"
+            let feed =
+                || replaced("FMAX", "F500").or_else(|| lines[at].contains("L ").then(|| format!("{} FMAX", lines[at])));
+            lines[at] = replaced("G0", "G1").or_else(|| replaced("G1", "G0")).or_else(feed)?;
+            "rapid and line"
         }
         6 => {
             let swaps = [
@@ -200,6 +204,12 @@ fn changed(kind: usize, lines: &[String], random: &mut Random) -> Option<(&'stat
                 ("M30", "M0"),
                 ("M2", "M0"),
                 ("M0", "M1"),
+                ("M91", ""),
+                ("MM", "INCH"),
+                ("M126", "M127"),
+                ("M137", "M136"),
+                ("Q339=+1", "Q339=+2"),
+                ("DR+", "DR-"),
             ];
             lines[at] = swaps.iter().find_map(|(from, to)| replaced(from, to))?;
             "a code"
@@ -221,6 +231,15 @@ fn changed(kind: usize, lines: &[String], random: &mut Random) -> Option<(&'stat
             lines.insert(at, lines[at].clone());
             "a block doubled"
         }
+        14 => {
+            let drops = ["M91", "M126", "~", "CALL", "Z", "MM"];
+            lines[at] = drops.iter().find_map(|word| replaced(word, ""))?;
+            "a word of statements dropped"
+        }
+        15 => {
+            lines[at] = replaced("R0", ["RL", "RR"][random.below(2)])?;
+            "the side"
+        }
         11 | 12 => {
             (at + 1 < lines.len()).then_some(())?;
             lines.swap(at, at + 1);
@@ -228,7 +247,8 @@ fn changed(kind: usize, lines: &[String], random: &mut Random) -> Option<(&'stat
         }
         _ => {
             let mut words = words.clone();
-            words.insert(word, "(".to_owned());
+            let opens = if lines.iter().any(|it| it.ends_with('~')) { ";" } else { "(" };
+            words.insert(word, opens.to_owned());
             lines[at] = rejoined(words);
             "a comment opened"
         }
@@ -244,12 +264,14 @@ fn campaign(machine: &str, setup: &Setup, programs: &[&str]) {
     let originals: Vec<Vec<Deed>> = posted.iter().map(|(nc, _)| deeds(setup, nc).expect("ours")).collect();
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let (mut reported, mut harmless): (BTreeMap<&str, u32>, BTreeMap<&str, u32>) = (BTreeMap::new(), BTreeMap::new());
+    let table = setup.compiled.model.table.as_ref().expect("the machine has a controller");
+    let kinds = if table.blocks == BlockKind::Statements { KINDS_OF_STATEMENTS } else { KINDS };
     let mut count = 0;
     while count < COUNT {
         let which = random.below(posted.len());
         let (nc, cl) = &posted[which];
         let lines: Vec<String> = nc.lines().map(str::to_owned).collect();
-        let kind = random.below(KINDS);
+        let kind = random.below(kinds);
         let tries = (0..TRIES).find_map(|_| changed(kind, &lines, &mut random));
         let Some((kind, mutant)) = tries else { continue };
         if mutant == lines {
@@ -305,4 +327,9 @@ fn no_edit_of_a_fanuc_program_is_missed() {
 #[test]
 fn no_edit_of_a_linuxcnc_program_is_missed() {
     campaign("LinuxCNC", &Setup::refitted("vmc5_trunnion", "linuxcnc"), &PROGRAMS);
+}
+
+#[test]
+fn no_edit_of_a_klartext_program_is_missed() {
+    campaign("Klartext", &Setup::refitted("tmv710a", "heidenhain"), &PROGRAMS);
 }

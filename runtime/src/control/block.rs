@@ -5,7 +5,7 @@ use super::mistake::Mistake;
 use super::token::{Kind, Number, Token, tokens};
 use crate::dialect::meaning::{Meaning, Once};
 use crate::dialect::pattern::Hole;
-use crate::dialect::table::{FormMeaning, Role, Table};
+use crate::dialect::table::{BlockKind, FormMeaning, Role, Table};
 use std::ops::Range;
 
 /// A block understood.
@@ -67,6 +67,10 @@ impl Block {
     pub(super) fn read(text: &str, table: &Table, order: &[usize]) -> Result<Self, (Mistake, Range<usize>)> {
         let tokens = tokens(text, table)?;
         let (claims, taken) = claims(&tokens, table, order);
+        if let (BlockKind::Statements, [first, ..], [None, ..]) = (table.blocks, &tokens[..], &taken[..]) {
+            // What a statement is, its first word says.
+            return Err((Mistake::Unknown(text[first.span.clone()].to_owned()), first.span.clone()));
+        }
         let codes = claims.iter().flat_map(|claim| Code::of(claim, table)).collect();
         let mut block = Self { codes, ..Self::default() };
         for (token, taken) in tokens.iter().zip(taken) {

@@ -1,8 +1,9 @@
 //! Which meaning takes which tokens: each token is taken once, by the pattern that asks for most.
 
 use super::token::{Kind, Number, Token};
+use crate::dialect::meaning::Meaning;
 use crate::dialect::pattern::{Argument, Hole, Pattern, PatternWord};
-use crate::dialect::table::Table;
+use crate::dialect::table::{BlockKind, Table};
 
 /// Holes and their numbers.
 type Filled = Vec<(Hole, f64)>;
@@ -36,7 +37,12 @@ fn is_literal(word: &PatternWord) -> bool {
 pub(super) fn claims(tokens: &[Token<'_>], table: &Table, order: &[usize]) -> (Vec<Claim>, Vec<Option<usize>>) {
     let (mut claims, mut taken) = (Vec::new(), vec![None; tokens.len()]);
     for &pattern in order {
-        if let Some((holes, its)) = matched(&table.patterns[pattern], tokens, &taken) {
+        let pattern_words = &table.patterns[pattern];
+        let found = match table.blocks {
+            BlockKind::Words => matched(pattern_words, tokens, &taken),
+            BlockKind::Statements => stated(pattern_words, tokens, &taken),
+        };
+        if let Some((holes, its)) = found {
             its.into_iter().for_each(|token| taken[token] = Some(claims.len()));
             claims.push(Claim { pattern, holes });
         }
@@ -62,6 +68,31 @@ fn matched(pattern: &Pattern, tokens: &[Token<'_>], taken: &[Option<usize>]) -> 
         }
     }
     (!its.is_empty()).then_some((holes, its))
+}
+
+/// The same in a statement: the words stand in their order. A text of several words, and every motion, begins the block; one
+/// of one word may stand anywhere in it.
+fn stated(pattern: &Pattern, tokens: &[Token<'_>], taken: &[Option<usize>]) -> Option<(Filled, Vec<usize>)> {
+    let is_motion = pattern.meanings.iter().any(|meaning| matches!(meaning, Meaning::Motion(_)));
+    let begins = is_motion || pattern.words.len() > 1;
+    let (mut holes, mut its) = (Vec::new(), Vec::new());
+    for word in &pattern.words {
+        let from = its.last().map_or(0, |last| last + 1);
+        let to = if begins && its.is_empty() { tokens.len().min(1) } else { tokens.len() };
+        let mut free = (from..to).filter(|token| taken[*token].is_none());
+        let (token, hole) = free.find_map(|token| Some((token, fits_statement(word, &tokens[token].kind)?)))?;
+        its.push(token);
+        holes.extend(hole);
+    }
+    (!its.is_empty()).then_some((holes, its))
+}
+
+/// As [`fits`]; the name of a program is whatever stands there.
+fn fits_statement(word: &PatternWord, token: &Kind<'_>) -> Option<Option<(Hole, f64)>> {
+    match word {
+        PatternWord::Hole { address, hole: Hole::Program } if address.is_empty() => Some(None),
+        _ => fits(word, token),
+    }
 }
 
 /// The hole's number where the token is what the word asks for.

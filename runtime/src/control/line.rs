@@ -38,7 +38,11 @@ fn number_length(text: &str, table: &Table) -> usize {
     let is_named = text[blanks..].get(..address.len()).is_some_and(|start| start.eq_ignore_ascii_case(address));
     let digits =
         if is_named { text[blanks + address.len()..].bytes().take_while(u8::is_ascii_digit).count() } else { 0 };
-    if digits == 0 { 0 } else { blanks + address.len() + digits }
+    let length = blanks + address.len() + digits;
+    // A number without an address stands alone.
+    let is_alone =
+        !address.is_empty() || text[length..].starts_with(|c: char| c.is_ascii_whitespace()) || text.len() == length;
+    if digits == 0 || !is_alone { 0 } else { length }
 }
 
 /// The line with blanks in place of its comments.

@@ -27,6 +27,8 @@ pub enum Mistake {
     OffTheArc(f64),
     /// An arc, a step or a centre that counts from a place which is not known.
     NoPosition,
+    /// The program is over where a block should go on.
+    Unfinished,
     /// Something that is understood and not followed yet.
     NotFollowed(&'static str),
 }
@@ -46,6 +48,7 @@ impl fmt::Display for Mistake {
             Self::NoCentre => write!(f, "the arc has neither a centre nor a radius"),
             Self::OffTheArc(by_mm) => write!(f, "the ends are off the arc by {by_mm:.3} mm"),
             Self::NoPosition => write!(f, "the motion counts from a position that is not known"),
+            Self::Unfinished => write!(f, "the program ends in a block that should go on"),
             Self::NotFollowed(what) => write!(f, "{what} is not followed"),
         }
     }

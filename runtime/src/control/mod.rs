@@ -18,12 +18,13 @@ pub use mistake::Mistake;
 pub use modal::Modal;
 
 use crate::dialect::meaning::{Coolant, Distance, FeedMode, Meaning, Once, Spindle};
-use crate::dialect::table::Table;
+use crate::dialect::table::{BlockKind, Table};
 use crate::machine::Axis;
 use crate::motion::{Event, Feed, Item, Motion, What};
 use crate::tool::ToolGeometry;
 use crate::unit::LengthUnit;
 use plain::Plain;
+use std::mem;
 use std::ops::Range;
 
 /// A mistake in a line, and where it stands, in bytes of the line.
@@ -44,6 +45,8 @@ pub struct Control<'m> {
     known: u64,
     /// Whether a block has been carried out: a program has begun.
     has_begun: bool,
+    /// Whether the program has said that it is over.
+    is_over: bool,
     /// The text of lines that go on in the next one.
     continued: String,
     /// The last block, whose room is used again.
@@ -69,6 +72,7 @@ impl<'m> Control<'m> {
             joints,
             known: 0,
             has_begun: false,
+            is_over: false,
             continued: String::new(),
             block: Block::default(),
         }
@@ -77,6 +81,11 @@ impl<'m> Control<'m> {
     /// The block that was run last.
     pub fn block(&self) -> &Block {
         &self.block
+    }
+
+    /// Whether the last line goes on in the next one.
+    pub fn is_continued(&self) -> bool {
+        !self.continued.is_empty()
     }
 
     /// What is modal now.
@@ -137,23 +146,30 @@ impl<'m> Control<'m> {
         if let Some(mark) = &self.table.continued
             && let Some(begun) = capitals.trim_end().strip_suffix(mark.as_str())
         {
-            self.continued += begun;
+            self.continued = format!("{}{begun} ", self.continued);
             return Ok(None);
         }
-        let whole = std::mem::take(&mut self.continued) + &capitals;
+        let begun = mem::take(&mut self.continued);
+        let before = begun.len();
+        let whole = begun + &capitals;
         if whole.trim().is_empty() {
             return Ok(None);
         }
-        let at = |(mistake, span): Fault| (mistake, span.start + line.at..span.end + line.at);
+        // What stands in the lines before is told of the whole of this one.
+        let here = line.at..line.at + capitals.len();
+        let at = |(mistake, span): Fault| match span.start.checked_sub(before) {
+            Some(start) => (mistake, start + line.at..span.end - before + line.at),
+            None => (mistake, here.clone()),
+        };
         let block = Block::read(&whole, self.table, &self.order).map_err(at)?;
-        Ok(Some((block, line.at..line.at + whole.len())))
+        Ok(Some((block, here)))
     }
 
     /// Carries the block out, whole or not at all.
     fn try_block(&mut self, line: u64, out: &mut Motion) -> Result<(), Mistake> {
         (self.before.0, self.before.2) = (self.modal, self.known);
         self.before.1.copy_from_slice(&self.joints);
-        let (block, items) = (std::mem::take(&mut self.block), out.items().len());
+        let (block, items) = (mem::take(&mut self.block), out.items().len());
         let done = self.carry_out(&block, line, out);
         self.block = block;
         if done.is_err() {
@@ -186,8 +202,10 @@ impl<'m> Control<'m> {
         if let Some(code) = block.once(Once::Dwell) {
             self.event(Event::Dwell(code.number.unwrap_or(0.0)), line, out);
         }
-        if !block.axes.is_empty() || block.centre != [None; 3] {
-            self.go(block, line, out)?;
+        self.place_words(block, line, out)?;
+        if self.table.blocks == BlockKind::Statements {
+            // A statement says its motion itself.
+            self.modal.motion = None;
         }
         let late = block.codes.iter().filter(|code| is_late(code.meaning));
         late.for_each(|code| self.modal.take(code.meaning, number(code)));
@@ -196,9 +214,27 @@ impl<'m> Control<'m> {
         {
             if block.once(once).is_some() {
                 self.event(event, line, out);
+                self.is_over |= event == Event::End;
             }
         }
+        if block.once(Once::ProgramEnd).is_some() && !mem::replace(&mut self.is_over, true) {
+            self.event(Event::End, line, out);
+        }
         Ok(())
+    }
+
+    /// Axis words, which are a motion where the block does not say something else of them.
+    fn place_words(&mut self, block: &Block, line: u64, out: &mut Motion) -> Result<(), Mistake> {
+        if block.once(Once::Stock).is_some() {
+            return Ok(());
+        }
+        if block.once(Once::Pole).is_some() {
+            return self.set_pole(block);
+        }
+        if block.once(Once::RetractAlongTool).is_some() {
+            return self.retract_along_tool(block, line, out);
+        }
+        if block.axes.is_empty() && block.centre == [None; 3] { Ok(()) } else { self.go(block, line, out) }
     }
 
     /// Feed, speed and tool.
@@ -206,9 +242,10 @@ impl<'m> Control<'m> {
         self.modal.feed = block.feed.or(self.modal.feed);
         self.modal.called_tool = block.tool.map(|tool| tool as u32).or(self.modal.called_tool);
         self.modal.state.speed_rpm = block.speed.unwrap_or(self.modal.state.speed_rpm);
-        let length = if self.modal.units == Some(LengthUnit::Inch) { 25.4 } else { 1.0 };
+        let is_inch = self.modal.units == Some(LengthUnit::Inch);
+        let (length, speed) = if is_inch { (25.4, self.table.inch_feed_mm) } else { (1.0, 1.0) };
         self.modal.state.feed = self.modal.feed.zip(self.modal.feed_mode).map(|(feed, mode)| match mode {
-            FeedMode::PerMinute => Feed::PerMinute(length * feed),
+            FeedMode::PerMinute => Feed::PerMinute(speed * feed),
             FeedMode::PerRevolution => Feed::PerRevolution(length * feed),
             FeedMode::Inverse => Feed::Inverse(feed),
         });

@@ -24,6 +24,8 @@ pub struct Modal {
     pub frame: Option<Switch>,
     /// Canned cycles.
     pub cycle: Option<Switch>,
+    /// The centre of arcs that has been said before them, along X, Y and Z, in machine coordinates.
+    pub pole: [Option<f64>; 3],
     /// The last feed word, as it is written.
     pub feed: Option<f64>,
     /// The tool that comes with the next tool change.
@@ -56,6 +58,7 @@ impl Modal {
             Meaning::Frame(switch) => self.frame = Some(switch),
             Meaning::Cycle(switch) => self.cycle = Some(switch),
             Meaning::Path(path) => self.state.path = Some(path),
+            Meaning::Wrap(wrap) => self.state.wrap = Some(wrap),
             Meaning::Spindle(spindle) => self.state.spindle = spindle,
             Meaning::Coolant(coolant) => self.state.coolant = self.state.coolant.with(coolant),
             Meaning::Once(_) | Meaning::Plain => {}

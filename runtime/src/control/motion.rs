@@ -4,9 +4,9 @@ use super::Control;
 use super::block::{AxisWord, Block};
 use super::mistake::Mistake;
 use crate::coordinates::AxisOffset;
-use crate::dialect::meaning::{CentreMode, MotionCode, Once, Plane, Switch};
-use crate::dialect::table::{FormMeaning, Wrap};
-use crate::machine::{Motion as AxisMotion, Written};
+use crate::dialect::meaning::{CentreMode, MotionCode, Once, Plane, Switch, Wrap};
+use crate::dialect::table::FormMeaning;
+use crate::machine::{Axis, Motion as AxisMotion, Travel, Written};
 use crate::motion::{Arc, Item, Law, Motion, Move, What};
 use crate::unit::LengthUnit;
 use crate::vector::{Vec3, cross, dot, norm, sub};
@@ -40,11 +40,43 @@ impl Control<'_> {
             MotionCode::ArcClockwise => Law::Arc(out.push_arc(self.arc(block, true)?)),
             MotionCode::ArcCounterclockwise => Law::Arc(out.push_arc(self.arc(block, false)?)),
         };
+        self.push_move(law, named, is_machine, line, out);
+        Ok(())
+    }
+
+    /// Takes the tool out along its axis. Where the machine stops it is not the program's business.
+    pub(super) fn retract_along_tool(&mut self, block: &Block, line: u64, out: &mut Motion) -> Result<(), Mistake> {
+        if !block.axes.is_empty() {
+            return Err(Mistake::NotFollowed("a way out along the tool together with axis words"));
+        }
+        let linear = self.axes.iter().enumerate().filter(|(_, axis)| axis.motion == AxisMotion::Linear);
+        let named = linear.fold(0, |named, (index, _)| named | 1 << index);
+        self.known &= !named;
+        let unknown = |(index, joint): (usize, &f64)| if named & 1 << index == 0 { *joint } else { 0.0 };
+        self.joints = self.joints.iter().enumerate().map(unknown).collect();
+        self.push_move(Law::Rapid, named, true, line, out);
+        Ok(())
+    }
+
+    /// Puts the centre of the arcs that follow where the axis words say; where there are none, where the tool is.
+    pub(super) fn set_pole(&mut self, block: &Block) -> Result<(), Mistake> {
+        if block.axes.is_empty() {
+            self.modal.pole = self.point(&self.joints, self.known).ok_or(Mistake::NoPosition)?.map(Some);
+        }
+        for word in &block.axes {
+            let name = self.axes[word.axis].name.as_str();
+            let along = ["X", "Y", "Z"].iter().position(|it| *it == name);
+            let along = along.ok_or(Mistake::NotFollowed("a centre along another axis than X, Y and Z"))?;
+            self.modal.pole[along] = Some(self.target(word, false)?);
+        }
+        Ok(())
+    }
+
+    fn push_move(&self, law: Law, named: u64, is_machine: bool, line: u64, out: &mut Motion) {
         let joints = out.push_joints(&self.joints);
         let state = out.push_state(&self.modal.state);
         let what = What::Move(Move { law, joints, known: self.known, named, is_machine });
         out.push(Item { line, state, what });
-        Ok(())
     }
 
     fn refuse_what_is_not_followed(&self) -> Result<(), Mistake> {
@@ -83,9 +115,20 @@ impl Control<'_> {
             (Some(FormMeaning::Shortest), _) => from + shortest(joint - from),
             (Some(FormMeaning::Positive), _) => from + (joint - from).rem_euclid(360.0),
             (Some(FormMeaning::Negative), _) => from - (from - joint).rem_euclid(360.0),
-            (None, Written::Wrapped { .. }) if self.table.wrap == Wrap::Shortest => from + shortest(joint - from),
+            (None, _) if self.goes_the_shortest_way(axis) => from + shortest(joint - from),
             _ => joint,
         })
+    }
+
+    /// Whether the words of an axis are places within a turn, to which it goes the shortest way. Where a block has said so, that
+    /// is true of every axis that turns without limits, as it is written or not.
+    fn goes_the_shortest_way(&self, axis: &Axis) -> bool {
+        let is_said = self.modal.state.wrap == Some(Wrap::Shortest);
+        let is_endless = axis.motion == AxisMotion::Rotary && axis.travel == Travel::UNLIMITED;
+        match axis.written {
+            Written::Wrapped { .. } => self.modal.state.wrap.unwrap_or(self.table.wrap) == Wrap::Shortest,
+            Written::Unwound => is_said && is_endless,
+        }
     }
 
     /// What one of the word's numbers is in millimetres or degrees.
@@ -108,7 +151,7 @@ impl Control<'_> {
                 let radius_mm = radius * self.length_unit();
                 centre_by_radius(flat(start), flat(end), normal, radius_mm, clockwise)?
             }
-            ([None, None, None], None) => return Err(Mistake::NoCentre),
+            ([None, None, None], None) => flat(self.pole(normal)?),
             (words, _) => flat(self.centre_by_words(words, start)),
         };
         let [from, to] = [start, end].map(|point| sub(flat(point), centre_mm));
@@ -128,6 +171,13 @@ impl Control<'_> {
         };
         let centre_mm = std::array::from_fn(|i| if normal[i] == 0.0 { centre_mm[i] } else { start[i] });
         Ok(Arc { centre_mm, radius_mm: norm(from), normal, sweep_rad })
+    }
+
+    /// The centre that has been said before the arc.
+    fn pole(&self, normal: Vec3) -> Result<Vec3, Mistake> {
+        let pole = self.modal.pole;
+        let is_said = (0..3).all(|along| normal[along] != 0.0 || pole[along].is_some());
+        if is_said { Ok(pole.map(Option::unwrap_or_default)) } else { Err(Mistake::NoCentre) }
     }
 
     /// The machine coordinates of X, Y and Z, in millimetres, if all that the machine has are known.

@@ -5,7 +5,7 @@ use super::block::{AxisWord, Block, Code};
 use super::token::number;
 use crate::dialect::meaning::{Meaning, MotionCode};
 use crate::dialect::pattern::{Pattern, PatternWord};
-use crate::dialect::table::{Form, Role, Table};
+use crate::dialect::table::{BlockKind, Form, Role, Table};
 use crate::number::usual_decimal;
 
 /// What the bytes of a plain block begin, by a dialect's table.
@@ -52,6 +52,9 @@ impl Plain {
     pub(super) fn of(table: &Table) -> Self {
         let mut plain =
             Self { begins: [Begins::Unsure; 256], words: Vec::new(), codes: codes(table), sequence: sequence(table) };
+        if table.blocks == BlockKind::Statements {
+            return plain;
+        }
         for blank in [b' ', b'\t', b'\r'] {
             plain.begins[usize::from(blank)] = Begins::Blank;
         }

@@ -2,7 +2,7 @@
 
 use super::mistake::Mistake;
 use crate::dialect::pattern::{Hole, Pattern, PatternWord};
-use crate::dialect::table::{BlockKind, Table};
+use crate::dialect::table::{BlockKind, Role, Table};
 use crate::number::Decimal;
 use std::ops::Range;
 
@@ -57,7 +57,11 @@ pub(super) fn tokens<'t>(block: &'t str, table: &Table) -> Result<Vec<Token<'t>>
             at += 1;
             continue;
         }
-        let (kind, length) = token(&block[at..], table).ok_or((Mistake::NoWord, at..at + 1))?;
+        let found = match table.blocks {
+            BlockKind::Words => token(&block[at..], table),
+            BlockKind::Statements => statement_token(&block[at..], table),
+        };
+        let (kind, length) = found.ok_or((Mistake::NoWord, at..at + 1))?;
         tokens.push(Token { span: at..at + length, kind });
         at += length;
     }
@@ -103,6 +107,18 @@ fn token<'t>(text: &'t str, table: &Table) -> Option<(Kind<'t>, usize)> {
     call(text, letters).or_else(|| addressed(text, letters, table)).or_else(|| Some(named(text, letters)))
 }
 
+/// The token of a statement that the text begins with: all that stands before the next blank, or a text in quotes.
+fn statement_token<'t>(text: &'t str, table: &Table) -> Option<(Kind<'t>, usize)> {
+    if text.starts_with('"') {
+        return token(text, table);
+    }
+    let length = text.find(|c: char| c.is_ascii_whitespace()).unwrap_or(text.len());
+    let word = &text[..length];
+    let is_whole = |(_, its): &(Kind<'t>, usize)| *its == length;
+    let found = token(word, table).filter(is_whole).map_or(Kind::Name(word), |(kind, _)| kind);
+    Some((found, length))
+}
+
 /// Letters, perhaps with digits behind them, and what stands in parentheses.
 fn call(text: &str, letters: usize) -> Option<(Kind<'_>, usize)> {
     let digits = text[letters..].bytes().take_while(u8::is_ascii_digit).count();
@@ -120,7 +136,9 @@ fn formed<'t>(text: &'t str, table: &Table) -> Option<(Kind<'t>, usize)> {
         // The shortest name that leaves a number behind it.
         (1..=letters).find_map(|length| {
             let (number, digits) = number(name[length..].strip_prefix(form.between.as_str())?)?;
-            let is_axis = table.words.iter().any(|word| word.address.trim_end_matches('=') == &name[..length]);
+            let is_axis = table.words.iter().any(|word| {
+                matches!(word.role, Role::Axis(_)) && word.address.trim_end_matches('=') == &name[..length]
+            });
             let behind = length + form.between.len() + digits;
             let is_closed = name[behind..].starts_with(form.behind.as_str());
             let word = Kind::Word { address: &name[..length], number, form: Some(index) };

@@ -32,6 +32,8 @@ pub enum Meaning {
     Cycle(Switch),
     /// How corners are passed.
     Path(PathMode),
+    /// How the word of a rotary axis is taken that is written within a turn.
+    Wrap(Wrap),
     /// The spindle.
     Spindle(Spindle),
     /// The coolant; all kinds but `off` may be on together.
@@ -124,6 +126,17 @@ pub enum PathMode {
     Blend,
 }
 
+/// How a control takes the word of a rotary axis that is written within a turn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Wrap {
+    /// As a number: 10 comes before 350.
+    Counted,
+    /// The shortest way.
+    Shortest,
+    /// The sign says the sense, the number the place.
+    Signed,
+}
+
 /// What the spindle does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Spindle {
@@ -155,6 +168,12 @@ pub enum Once {
     MachineCoordinates,
     /// The axes that the block names go to the machine's reference point, by way of the words.
     ReferencePoint,
+    /// The tool goes out along its axis, as far as the machine lets it.
+    RetractAlongTool,
+    /// The axis words of the block are the centre of the arcs that follow.
+    Pole,
+    /// The axis words of the block say where the stock is.
+    Stock,
     /// The tool in the pattern, or the one that was called last, comes into the spindle.
     ToolChange,
     /// The tool in the pattern is made ready.
@@ -169,6 +188,8 @@ pub enum Once {
     End,
     /// The program's name or number.
     Program,
+    /// The end of the program's text, where it runs no further.
+    ProgramEnd,
     /// Text for the operator.
     Message,
 }

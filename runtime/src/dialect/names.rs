@@ -1,8 +1,9 @@
 //! How a controller's description names the meanings.
 
 use super::meaning::{
-    CentreMode, Coolant, Distance, FeedMode, Meaning, MotionCode, Once, PathMode, Plane, Side, Spindle, Switch,
+    CentreMode, Coolant, Distance, FeedMode, Meaning, MotionCode, Once, PathMode, Plane, Side, Spindle, Switch, Wrap,
 };
+use super::table::FormMeaning;
 use crate::unit::LengthUnit;
 
 /// The group of a meaning, its name there, and what it is. What happens once is in the group `once`; the members of `offset` are
@@ -37,6 +38,8 @@ pub const NAMES: &[(&str, &str, Meaning)] = &[
     ("cycle", "on", Meaning::Cycle(Switch::On)),
     ("path", "exact", Meaning::Path(PathMode::Exact)),
     ("path", "blend", Meaning::Path(PathMode::Blend)),
+    ("wrap", "counted", Meaning::Wrap(Wrap::Counted)),
+    ("wrap", "shortest", Meaning::Wrap(Wrap::Shortest)),
     ("spindle", "off", Meaning::Spindle(Spindle::Off)),
     ("spindle", "clockwise", Meaning::Spindle(Spindle::Clockwise)),
     ("spindle", "counterclockwise", Meaning::Spindle(Spindle::Counterclockwise)),
@@ -46,6 +49,9 @@ pub const NAMES: &[(&str, &str, Meaning)] = &[
     ("coolant", "through", Meaning::Coolant(Coolant::Through)),
     ("once", "machine coordinates", Meaning::Once(Once::MachineCoordinates)),
     ("once", "reference point", Meaning::Once(Once::ReferencePoint)),
+    ("once", "retract along tool", Meaning::Once(Once::RetractAlongTool)),
+    ("once", "pole", Meaning::Once(Once::Pole)),
+    ("once", "stock", Meaning::Once(Once::Stock)),
     ("once", "tool change", Meaning::Once(Once::ToolChange)),
     ("once", "preselect", Meaning::Once(Once::Preselect)),
     ("once", "dwell", Meaning::Once(Once::Dwell)),
@@ -53,6 +59,7 @@ pub const NAMES: &[(&str, &str, Meaning)] = &[
     ("once", "optional stop", Meaning::Once(Once::OptionalStop)),
     ("once", "end", Meaning::Once(Once::End)),
     ("once", "program", Meaning::Once(Once::Program)),
+    ("once", "program end", Meaning::Once(Once::ProgramEnd)),
     ("once", "message", Meaning::Once(Once::Message)),
 ];
 
@@ -78,4 +85,19 @@ pub fn meaning(group: &str, member: &str) -> Option<(Meaning, Option<u32>)> {
 /// The name of a meaning in its group; an offset, which has a number, and what is plain have none.
 pub fn name(meaning: Meaning) -> Option<&'static str> {
     NAMES.iter().find(|(.., its)| *its == meaning).map(|(_, member, _)| *member)
+}
+
+/// How the number of an axis word can be meant, by name.
+pub const FORMS: [(&str, FormMeaning); 5] = [
+    ("absolute", FormMeaning::Absolute),
+    ("incremental", FormMeaning::Incremental),
+    ("shortest", FormMeaning::Shortest),
+    ("positive", FormMeaning::Positive),
+    ("negative", FormMeaning::Negative),
+];
+
+/// The name of a form.
+pub fn form_name(form: FormMeaning) -> &'static str {
+    let named = FORMS.iter().find(|(_, meaning)| *meaning == form);
+    named.map(|(name, _)| *name).expect("every form has a name")
 }

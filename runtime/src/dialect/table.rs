@@ -1,6 +1,6 @@
 //! The whole of a dialect as a control reads it.
 
-use super::meaning::Meaning;
+use super::meaning::{Meaning, Wrap};
 use super::pattern::Pattern;
 
 /// What the texts of a dialect mean, for one machine.
@@ -20,8 +20,10 @@ pub struct Table {
     pub forms: Vec<Form>,
     /// The codes, and the words that stand only with them.
     pub patterns: Vec<Pattern>,
-    /// How the control takes the word of a rotary axis that is written within a turn.
+    /// How the control takes the word of a rotary axis that is written within a turn, while no block has said it.
     pub wrap: Wrap,
+    /// What one of the feed word is in a program in inches, in millimetres a minute.
+    pub inch_feed_mm: f64,
     /// What is in force when the control is switched on, as far as the dialect says.
     pub power_on: Vec<(Meaning, Option<u32>)>,
 }
@@ -31,7 +33,7 @@ pub struct Table {
 pub enum BlockKind {
     /// Words of a letter and a number, blanks between them or none: `N10G1X5.`.
     Words,
-    /// Words between blanks: `L X+10 R0 FMAX`.
+    /// Words between blanks, the first of which say what the block is: `L X+10 R0 FMAX`. A motion is said in each block.
     Statements,
 }
 
@@ -93,15 +95,4 @@ pub enum FormMeaning {
     Positive,
     /// Within the turn, in the negative sense.
     Negative,
-}
-
-/// How a control takes the word of a rotary axis that is written within a turn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Wrap {
-    /// As a number: 10 comes before 350.
-    Counted,
-    /// The shortest way.
-    Shortest,
-    /// The sign says the sense, the number the place.
-    Signed,
 }

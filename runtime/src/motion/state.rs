@@ -1,6 +1,6 @@
 //! What is in force while an item of motion runs.
 
-use crate::dialect::meaning::{Coolant, PathMode, Plane, Side, Spindle};
+use crate::dialect::meaning::{Coolant, PathMode, Plane, Side, Spindle, Wrap};
 
 /// What is in force.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,6 +19,8 @@ pub struct State {
     pub plane: Plane,
     /// How corners are passed; `None` while nobody has said.
     pub path: Option<PathMode>,
+    /// How words of rotary axes within a turn are taken; `None` while nobody has said.
+    pub wrap: Option<Wrap>,
     /// The spindle.
     pub spindle: Spindle,
     /// Its speed in revolutions a minute; zero while nobody has said.
@@ -84,6 +86,7 @@ impl Default for State {
             side: Side::Off,
             plane: Plane::Xy,
             path: None,
+            wrap: None,
             spindle: Spindle::Off,
             speed_rpm: 0.0,
             coolant: Coolants::OFF,

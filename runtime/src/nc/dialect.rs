@@ -1,5 +1,6 @@
 //! A controller's dialect as tables: words, modal groups, blocks.
 
+pub use crate::dialect::table::BlockKind;
 use crate::number::Picture;
 use crate::unit::LengthUnit;
 
@@ -222,6 +223,8 @@ pub struct Dialect {
     pub extension: String,
     /// What opens and closes a comment; an empty close means the end of the line.
     pub comment: (String, String),
+    /// How blocks are put together.
+    pub block_kind: BlockKind,
     /// Sequence numbers, if any.
     pub sequence: Option<Sequence>,
     /// The work offset's code.
@@ -232,8 +235,10 @@ pub struct Dialect {
     pub codes: Codes,
     /// The words of the machine's axes, in the machine's order.
     pub axes: Vec<Word>,
-    /// The feed word, in millimetres or inches a minute.
+    /// The feed word.
     pub feed: Word,
+    /// What one of it is, in thousandths of a millimetre a minute.
+    pub feed_unit_um: u32,
     /// The feed word in millimetres or inches a revolution; the same word where the controller makes no difference.
     pub feed_per_revolution: Word,
     /// Codes that replace each other.
@@ -254,6 +259,11 @@ pub struct Codes {
 }
 
 impl Dialect {
+    /// What one of the feed word is, in millimetres a minute.
+    pub fn feed_unit_mm(&self) -> f64 {
+        f64::from(self.feed_unit_um) / 1000.0
+    }
+
     /// The block that a trigger prints, if the controller has one.
     pub fn block(&self, trigger: Trigger) -> Option<&Block> {
         self.blocks.iter().find(|block| block.trigger == trigger)

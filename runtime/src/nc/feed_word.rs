@@ -39,14 +39,13 @@ pub(super) struct FeedState {
 impl FeedState {
     /// The feed in units of its word.
     pub(super) fn new(feed: Feed, dialect: &Dialect) -> Result<Self, WriteError> {
-        let (mode, metric) = match feed {
-            Feed::PerMinute(mm_per_min) => (FeedMode::PerMinute, mm_per_min),
-            Feed::PerRevolution(mm_per_rev) => (FeedMode::PerRevolution, mm_per_rev),
+        let (mode, value) = match feed {
+            Feed::PerMinute(mm_per_min) => (FeedMode::PerMinute, mm_per_min / dialect.feed_unit_mm()),
+            Feed::PerRevolution(mm_per_rev) => (FeedMode::PerRevolution, mm_per_rev / dialect.units.mm()),
         };
         if mode == FeedMode::PerRevolution && dialect.codes.per_revolution.is_none() {
             return Err(WriteError::NoFeedPerRevolution);
         }
-        let value = metric / dialect.units.mm();
         let word = mode.word(dialect);
         let units = word.picture.units(value).ok_or_else(|| WriteError::too_large(word, value))?;
         if units <= 0 {

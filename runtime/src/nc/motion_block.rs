@@ -47,8 +47,8 @@ pub(super) enum Step {
     Modal { group: usize, code: usize, text: String },
     /// The words of these axes that change.
     Axes(Vec<usize>),
-    /// The feed word when it changes, behind the code of its kind when that changes.
-    Feed,
+    /// The feed word when it changes, behind the code of its kind when that changes, if the line has no place for that.
+    Feed { with_mode: bool },
     /// The code of the feed's kind, when it changes.
     FeedMode,
     /// A value.
@@ -95,13 +95,14 @@ impl MotionLine {
         Self {
             numbered: line.numbered,
             left_out_without: (is_one_of_several && has_words).then(|| words.flatten().copied().collect()),
-            steps: line.pieces.iter().map(|piece| Step::new(piece, dialect)).collect(),
+            steps: line.pieces.iter().map(|piece| Step::new(piece, line, dialect)).collect(),
         }
     }
 }
 
 impl Step {
-    fn new(piece: &Piece, dialect: &Dialect) -> Self {
+    fn new(piece: &Piece, line: &Line, dialect: &Dialect) -> Self {
+        let says_mode = |piece: &Piece| matches!(piece, Piece::Value(Value::FeedMode, _));
         match piece {
             Piece::Text(text) if text == " " => Self::Blank,
             Piece::Text(text) => Self::Text(text.clone()),
@@ -109,7 +110,7 @@ impl Step {
                 Self::Modal { group: *group, code: *code, text: dialect.modal_groups[*group][*code].clone() }
             }
             Piece::Axes(axes) => Self::Axes(axes.clone()),
-            Piece::Feed => Self::Feed,
+            Piece::Feed => Self::Feed { with_mode: !line.pieces.iter().any(says_mode) },
             Piece::Value(Value::FeedMode, _) => Self::FeedMode,
             Piece::Value(value, picture) => Self::Value(*value, picture.clone()),
         }

@@ -196,11 +196,11 @@ impl State {
                     }
                 }
                 Step::Axes(indices) => self.axes.print(indices, &mut self.line),
-                Step::Feed => {
+                Step::Feed { with_mode } => {
                     if let Some(feed) = feed
                         && self.feed != Some(feed)
                     {
-                        self.print_feed(feed, dialect);
+                        self.print_feed(feed, *with_mode, dialect);
                     }
                 }
                 Step::FeedMode => {
@@ -218,12 +218,14 @@ impl State {
         Ok(())
     }
 
-    /// Prints the feed word, and the code of its kind before it, if that changes.
+    /// Prints the feed word, and the code of its kind before it, if that changes and stands there.
     #[cold]
-    fn print_feed(&mut self, feed: FeedState, dialect: &Dialect) {
+    fn print_feed(&mut self, feed: FeedState, with_mode: bool, dialect: &Dialect) {
         self.feed = Some(feed);
         let start = self.line.len();
-        self.print_feed_mode(feed.mode, dialect);
+        if with_mode {
+            self.print_feed_mode(feed.mode, dialect);
+        }
         if self.line.len() > start {
             self.line.byte(b' ');
         }

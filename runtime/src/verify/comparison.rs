@@ -10,7 +10,7 @@ use super::wanted::{Wanted, WantedStream, WantedWhat};
 use super::words::{self, PointReached};
 use crate::cl::Reader;
 use crate::diagnostic::Diagnostic;
-use crate::dialect::meaning::Spindle;
+use crate::dialect::meaning::{Side, Spindle};
 use crate::dialect::table::Table;
 use crate::machine::Machine;
 use crate::motion::{Event, Item, Law, Motion, Move, State, What};
@@ -151,7 +151,7 @@ impl<'a> Comparison<'a> {
             }
             (What::Move(it), Some(pose)) => self.go(Gone { it, line: item.line, pose, motion, state }),
             (What::Move(it), None) => {
-                self.note_approach(it, item.line);
+                self.note_approach(it, state, item.line);
                 Ok(())
             }
         }
@@ -169,8 +169,11 @@ impl<'a> Comparison<'a> {
         }
     }
 
-    fn note_approach(&mut self, it: &Move, line: u64) {
+    fn note_approach(&mut self, it: &Move, state: &State, line: u64) {
         self.agreement.approaches += 1;
+        if state.side != Side::Off {
+            self.differ(Difference::State, "the cutter's radius is compensated on the approach", line, None);
+        }
         self.approach[usize::from(it.law != Law::Rapid)].get_or_insert(line);
         if it.named & self.habit.last != 0 {
             self.lowered_at.get_or_insert(line);
@@ -220,7 +223,7 @@ impl<'a> Comparison<'a> {
             return Ok(());
         }
         if self.may_approach && wanted.is_some() {
-            self.note_approach(it, line);
+            self.note_approach(it, gone.state, line);
             self.at = Some(pose);
             return Ok(());
         }

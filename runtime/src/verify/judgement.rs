@@ -100,6 +100,9 @@ fn habitual(state: &State, habit: &State) -> Option<String> {
     if state.path != habit.path {
         return Some("corners are passed in another way".to_owned());
     }
+    if state.wrap != habit.wrap {
+        return Some("rotary axes turn another way round".to_owned());
+    }
     (state.side != Side::Off).then(|| "the cutter's radius is compensated".to_owned())
 }
 

@@ -82,7 +82,7 @@ static STATE: Code = Code {
     id: "E1218",
     title: "another state of the control than the controller's description sets",
     explanation: "\
-The plane of arcs, the way corners are passed, or the compensation of the cutter's radius is not what the head of a program has by
+The plane of arcs, the way corners are passed, the way round of rotary axes, or the compensation of the cutter's radius is not what the head of a program has by
 the controller's description.",
 };
 

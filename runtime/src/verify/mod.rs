@@ -25,8 +25,9 @@ pub use survey::{Survey, ToolUse};
 pub use suspicion::SUSPICIONS;
 pub use unreadable::{UNREADABLE, Unreadable};
 
-use crate::control::Control;
+use crate::control::{Block, Control, Mistake};
 use crate::diagnostic::Diagnostic;
+use crate::dialect::meaning::{Meaning, Once};
 use crate::dialect::table::Table;
 use crate::kinematics::Kinematics;
 use crate::machine::Machine;
@@ -92,7 +93,8 @@ impl<'m> Verifier<'m> {
     /// When the CL cannot be read, or that which is written cannot.
     pub fn line(&mut self, text: &str, number: u64, tell: &mut dyn FnMut(Diagnostic)) -> io::Result<()> {
         if self.is_over {
-            if !matches!(self.control.read(text), Ok(None)) {
+            let is_end = |block: &Block| block.has(Meaning::Once(Once::ProgramEnd));
+            if !self.control.read(text).is_ok_and(|block| block.as_ref().is_none_or(is_end)) {
                 self.survey.behind_the_end(number);
             }
             return Ok(());
@@ -138,6 +140,9 @@ impl<'m> Verifier<'m> {
     /// As [`Self::line`].
     pub fn finish(mut self, tell: &mut dyn FnMut(Diagnostic)) -> io::Result<(Survey, Option<Agreement>)> {
         self.look(tell)?;
+        if self.control.is_continued() {
+            self.unreadable.meet(&self.file, ("", self.last_line), (Mistake::Unfinished, 0..0), tell);
+        }
         self.reverse.map(ReverseCl::end).transpose()?;
         let end = (self.file.as_str(), self.last_line);
         let agreement = self.comparison.map(|comparison| comparison.finish(end, tell)).transpose()?;

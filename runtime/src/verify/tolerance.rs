@@ -48,7 +48,7 @@ impl<'m> Tolerance<'m> {
             linear_mm: squares.sqrt() + CL_MM + machine.plane_tolerance_mm,
             rotary_deg,
             axis_rad: 1.01 * axis_rad,
-            feed_mm_per_min: 1.01 * unit_mm * half_digit(&dialect.feed),
+            feed_mm_per_min: 1.01 * dialect.feed_unit_mm() * half_digit(&dialect.feed),
             feed_mm_per_rev: 1.01 * unit_mm * half_digit(&dialect.feed_per_revolution),
         }
     }

@@ -5,7 +5,7 @@ use mach_runtime::machine::{
     Axis, BranchPolicy, Chain, Component, ErrorTable, Joint, Machine, Motion, Preference, Rule, Strictness,
     ToolGeometry, Travel, Written,
 };
-use mach_runtime::nc::dialect::{Block, Codes, Dialect, Line, Piece, Sequence, Trigger, Value, Word};
+use mach_runtime::nc::dialect::{Block, BlockKind, Codes, Dialect, Line, Piece, Sequence, Trigger, Value, Word};
 use mach_runtime::number::{DecimalPoint, Picture};
 use mach_runtime::unit::LengthUnit;
 
@@ -78,8 +78,8 @@ structs! {
     ErrorTable { axis, component, rows }
     BranchPolicy { start, then, reposition }
     Dialect {
-        name, units, extension, comment, sequence, offset, retract, codes, axes, feed, feed_per_revolution,
-        modal_groups, blocks,
+        name, units, extension, comment, block_kind, sequence, offset, retract, codes, axes, feed, feed_unit_um,
+        feed_per_revolution, modal_groups, blocks,
     }
     Picture { plus, integer_digits, integer_least, decimals, decimals_least, point, zero }
     Word { name, address, picture }
@@ -88,8 +88,8 @@ structs! {
     Block { trigger, lines }
 }
 
-names! { Component Motion Strictness LengthUnit DecimalPoint Trigger Value }
-plain! { bool u8 u64 usize }
+names! { Component Motion Strictness LengthUnit DecimalPoint BlockKind Trigger Value }
+plain! { bool u8 u32 u64 usize }
 
 impl Literal for f64 {
     fn literal(&self) -> String {

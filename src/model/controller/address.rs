@@ -5,7 +5,7 @@ use super::placeholder::Meaning;
 use super::scene::Scene;
 use super::word::{FEED, FEED_PER_REVOLUTION, Said};
 use super::{ControlledAxis, sequence};
-use crate::syntax::tree::{ControllerStatement, Name, Span, Spanned, TemplatePiece, Text};
+use crate::syntax::tree::{BlockKind, ControllerStatement, Name, Span, Spanned, TemplatePiece, Text};
 use mach_runtime::diagnostic::{Code, Diagnostic};
 use mach_runtime::nc::dialect::Value;
 use std::collections::BTreeMap;
@@ -48,13 +48,16 @@ impl<'a> Address<'a> {
 }
 
 /// Checks every address that is said, and that those of the machine's words and of the sequence numbers differ.
-pub(super) fn check(lowering: &mut Lowering<'_>, axes: &[ControlledAxis<'_>]) {
+pub(super) fn check(lowering: &mut Lowering<'_>, axes: &[ControlledAxis<'_>], blocks: BlockKind) {
     for (index, statement) in lowering.statements() {
         match statement {
             ControllerStatement::Word { names, address: None, .. } => {
                 let names = names.iter().filter(|name| name.value != FEED_PER_REVOLUTION);
                 names.for_each(|name| own_name(lowering, index, name));
             }
+            // Statements begin with a plain number.
+            ControllerStatement::Sequence { address: text, .. }
+                if text.value.is_empty() && blocks == BlockKind::Statements => {}
             ControllerStatement::Word { address: Some(text), .. }
             | ControllerStatement::Sequence { address: text, .. } => said(lowering, index, text),
             _ => {}

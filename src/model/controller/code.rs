@@ -47,8 +47,8 @@ fn texts(index: usize, statement: &ControllerStatement) -> Vec<Said<'_>> {
     match statement {
         ControllerStatement::Plain { pattern, .. } => vec![said(index, pattern, false)],
         ControllerStatement::Group { name, body } => {
-            let patterns = body.statements.iter().flat_map(|member| &member.node.patterns);
-            patterns.map(|pattern| said(index, pattern, name.value == "motion")).collect()
+            let texts = body.statements.iter().flat_map(|member| &member.node.texts);
+            texts.map(|text| said(index, &text.pattern, name.value == "motion")).collect()
         }
         _ => Vec::new(),
     }

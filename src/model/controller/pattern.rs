@@ -17,15 +17,18 @@ pub(super) const HOLES: [(&str, Hole); 7] = [
     ("any", Hole::Any),
 ];
 
-/// The words of a pattern.
+/// The words of a pattern; a line may go on in the next one behind a mark.
 ///
 /// # Errors
 /// What is wrong with the text, in a few words.
-pub(super) fn words(pieces: &[Spanned<TemplatePiece>]) -> Result<Vec<PatternWord>, String> {
+pub(super) fn words(pieces: &[Spanned<TemplatePiece>], continued: Option<&str>) -> Result<Vec<PatternWord>, String> {
     let (mut text, mut holes) = (String::new(), Vec::new());
     for piece in pieces {
         match &piece.value {
-            TemplatePiece::Text(plain) => text.push_str(plain),
+            TemplatePiece::Text(plain) => match continued {
+                Some(mark) => text += &plain.replace(mark, " "),
+                None => text += plain,
+            },
             TemplatePiece::Placeholder { name, .. } => {
                 let hole = HOLES.iter().find(|(known, _)| known == name).map(|(_, hole)| *hole);
                 holes.push(hole.ok_or_else(|| format!("`{{{name}}}` is no hole of a pattern"))?);

@@ -84,10 +84,11 @@ pub(super) fn parse(text: &str) -> Result<Picture, PictureError> {
 /// When it would not be read as zero.
 pub(super) fn parse_zero(text: &str) -> Result<String, PictureError> {
     let points = text.matches('.').count();
+    let (text, whole) = (text.strip_prefix('+').unwrap_or(text), text);
     if text.contains('0') && points <= 1 && text.len() <= 16 && text.bytes().all(|byte| matches!(byte, b'0' | b'.')) {
-        return Ok(text.to_owned());
+        return Ok(whole.to_owned());
     }
-    mistake(0..text.len(), "a zero is printed as zeros and at most one point")
+    mistake(0..whole.len(), "a zero is printed as zeros and at most one point, perhaps behind a sign")
 }
 
 /// Where a run of one character ends.
@@ -155,8 +156,8 @@ mod tests {
         for (text, at) in cases {
             assert_eq!(parse(text).map_err(|error| error.at), Err(at), "{text}");
         }
-        assert!(parse_zero("0.0").is_ok() && parse_zero("0").is_ok());
-        for text in ["", ".", "-0", "0.0.0", "1", "zero"] {
+        assert!(parse_zero("0.0").is_ok() && parse_zero("0").is_ok() && parse_zero("+0").is_ok());
+        for text in ["", ".", "-0", "+", "0+", "0.0.0", "1", "zero"] {
             assert!(parse_zero(text).is_err(), "{text}");
         }
     }

@@ -1,14 +1,16 @@
 //! The table of a dialect: what its texts mean, for reading.
 
 use super::ControlledAxis;
+use super::blocks::Blocks;
 use super::lowering::Lowering;
 use super::pattern;
 use super::word::{self, FEED, FEED_PER_REVOLUTION, Formats};
-use crate::syntax::tree::{ControllerStatement, Member, Span, TemplatePiece};
+use super::{feed_unit, form};
+use crate::syntax::tree::{ControllerStatement, Member, MemberText, Spanned, TemplatePiece};
 use mach_runtime::diagnostic::{Code, Diagnostic};
-use mach_runtime::dialect::meaning::{Meaning, Switch};
-use mach_runtime::dialect::pattern::Pattern;
-use mach_runtime::dialect::table::{BlockKind, Role, Table, TableWord, Wrap};
+use mach_runtime::dialect::meaning::{Meaning, Switch, Wrap};
+use mach_runtime::dialect::pattern::{Pattern, PatternWord};
+use mach_runtime::dialect::table::{Role, Table, TableWord};
 use mach_runtime::machine::Motion;
 use mach_runtime::nc::dialect::{Sequence, Word};
 use mach_runtime::number::DecimalPoint;
@@ -48,6 +50,7 @@ pub(super) fn table(
     axis_words: &[Word],
     comment: &(String, String),
     sequence: Option<&Sequence>,
+    blocks: &Blocks,
 ) -> Table {
     let words = axes.iter().zip(axis_words).enumerate();
     let words = words.map(|(index, (axis, word))| table_word(word, Role::Axis(index), axis.motion == Motion::Linear));
@@ -66,15 +69,19 @@ pub(super) fn table(
         let word = word::find(lowering, formats, name);
         words.extend(word.map(|word| table_word(&word, role, false)));
     }
+    let patterns = patterns(lowering, blocks.continued.as_deref());
+    let says_wrap = patterns.iter().flat_map(|it| &it.meanings).any(|it| matches!(it, Meaning::Wrap(_)));
     Table {
-        blocks: BlockKind::Words,
+        blocks: blocks.kind,
         comment: comment.clone(),
         sequence: sequence.map(|sequence| sequence.address.clone()),
-        continued: None,
+        continued: blocks.continued.clone(),
         words,
-        forms: Vec::new(),
-        patterns: patterns(lowering),
-        wrap: Wrap::Shortest,
+        forms: form::forms(lowering),
+        patterns,
+        // Where programs say it, nothing is taken for granted while they have not.
+        wrap: if says_wrap { Wrap::Counted } else { Wrap::Shortest },
+        inch_feed_mm: f64::from(feed_unit::inch_um(lowering)) / 1000.0,
         power_on: Vec::new(),
     }
 }
@@ -104,7 +111,7 @@ pub(super) fn members<'a>(lowering: &Lowering<'a>) -> Vec<(usize, &'a Member)> {
 pub(super) fn literal(lowering: &Lowering<'_>, meaning: (Meaning, Option<u32>)) -> Option<String> {
     let members = members(lowering);
     let (_, member) = members.iter().find(|(_, member)| member.meaning == meaning)?;
-    match member.patterns.first()?.value.as_slice() {
+    match member.texts.first()?.pattern.value.as_slice() {
         [piece] => match &piece.value {
             TemplatePiece::Text(text) => Some(text.clone()),
             TemplatePiece::Placeholder { .. } => None,
@@ -113,16 +120,19 @@ pub(super) fn literal(lowering: &Lowering<'_>, meaning: (Meaning, Option<u32>)) 
     }
 }
 
-fn patterns(lowering: &mut Lowering<'_>) -> Vec<Pattern> {
+fn patterns(lowering: &mut Lowering<'_>, continued: Option<&str>) -> Vec<Pattern> {
     let mut patterns: Vec<Pattern> = Vec::new();
     for (index, member) in members(lowering) {
         let (meaning, number) = member.meaning;
-        for said in &member.patterns {
-            let Some(words) = read(lowering, index, &said.value, &said.span) else { continue };
+        for MemberText { pattern: said, effects } in &member.texts {
+            let Some(words) = read(lowering, index, continued, said) else { continue };
+            let meanings = [meaning].into_iter().chain(effects.iter().map(|effect| effect.meaning)).collect();
             match patterns.iter_mut().find(|pattern| pattern.words == words) {
-                None => patterns.push(Pattern { meanings: vec![meaning], number, words }),
-                Some(same) if is_off(meaning) && same.meanings.iter().all(|other| is_off(*other)) => {
-                    same.meanings.push(meaning);
+                None => patterns.push(Pattern { meanings, number, words }),
+                Some(same)
+                    if meanings.iter().all(|it| is_off(*it)) && same.meanings.iter().all(|other| is_off(*other)) =>
+                {
+                    same.meanings.extend(meanings);
                 }
                 Some(_) => {
                     let place = lowering.place(index, &said.span);
@@ -135,7 +145,7 @@ fn patterns(lowering: &mut Lowering<'_>) -> Vec<Pattern> {
     }
     for (index, statement) in lowering.statements() {
         let ControllerStatement::Plain { pattern, .. } = statement else { continue };
-        let words = read(lowering, index, &pattern.value, &pattern.span);
+        let words = read(lowering, index, continued, pattern);
         patterns.extend(words.map(|words| Pattern { meanings: vec![Meaning::Plain], number: None, words }));
     }
     patterns
@@ -149,10 +159,10 @@ fn is_off(meaning: Meaning) -> bool {
 fn read(
     lowering: &mut Lowering<'_>,
     index: usize,
-    pieces: &[crate::syntax::tree::Spanned<TemplatePiece>],
-    span: &Span,
-) -> Option<Vec<mach_runtime::dialect::pattern::PatternWord>> {
-    pattern::words(pieces)
-        .map_err(|mistake| lowering.report(&BAD_PATTERN, "this is no pattern of a code", index, span, mistake))
+    continued: Option<&str>,
+    said: &Spanned<Vec<Spanned<TemplatePiece>>>,
+) -> Option<Vec<PatternWord>> {
+    pattern::words(&said.value, continued)
+        .map_err(|mistake| lowering.report(&BAD_PATTERN, "this is no pattern of a code", index, &said.span, mistake))
         .ok()
 }

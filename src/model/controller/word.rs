@@ -4,7 +4,7 @@ use super::lowering::{Lowering, inside};
 use super::picture::{self, BAD_PICTURE, PictureError};
 use super::{ControlledAxis, LACKING};
 use crate::syntax::spelling::nearest;
-use crate::syntax::tree::{ControllerStatement, Name, Span, Text};
+use crate::syntax::tree::{ControllerStatement, Expression, Name, Span, Text};
 use mach_runtime::diagnostic::{Code, Diagnostic, Suggestion};
 use mach_runtime::nc::dialect::Word;
 use mach_runtime::number::Picture;
@@ -36,19 +36,21 @@ pub(super) struct Said<'a> {
     pub(super) format: &'a Name,
     /// Where it is not the name.
     address: Option<&'a Text>,
+    /// What one is in a program in inches, where that is said.
+    pub(super) inch: Option<&'a Expression>,
 }
 
 impl<'a> Said<'a> {
     /// The last that is said of the word of this name.
     pub(super) fn last(lowering: &Lowering<'a>, name: &str) -> Option<Self> {
-        let (index, (name, format, address)) = lowering.last(|statement| match statement {
-            ControllerStatement::Word { names, format, address } => {
+        let (index, (name, format, address, inch)) = lowering.last(|statement| match statement {
+            ControllerStatement::Word { names, format, address, inch } => {
                 let name = names.iter().find(|said| said.value == name)?;
-                Some((name, format, address.as_ref()))
+                Some((name, format, address.as_ref(), inch.as_ref()))
             }
             _ => None,
         })?;
-        Some(Self { index, name, format, address })
+        Some(Self { index, name, format, address, inch })
     }
 
     /// What is printed before the number.

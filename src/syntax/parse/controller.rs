@@ -5,7 +5,10 @@ use mach_runtime::diagnostic::{Code, Diagnostic, Suggestion};
 use super::grammar::{self, Pair, Rule};
 use super::{Builder, Parts, parts, template, word};
 use crate::syntax::spelling::nearest;
-use crate::syntax::tree::{Body, ControllerStatement, Expression, LengthUnit, Member, Span, Spanned, Text, Trigger};
+use crate::syntax::tree::{
+    BlockKind, Body, ControllerStatement, Effect, Expression, LengthUnit, Member, MemberText, Span, Spanned, Text,
+    Trigger,
+};
 use mach_runtime::dialect::names;
 
 /// An event that does not exist.
@@ -38,13 +41,14 @@ What a text of a program can mean is a fixed list, in groups of which one member
     offset     1, 2, 3 …                  length     off, on
     tip        off, on                    frame      off, on
     cycle      off, on                    path       exact, blend
+    wrap       counted, shortest
     spindle    off, clockwise, counterclockwise
     coolant    off, flood, mist, through
 
     group plane { xy \"G17\"  zx \"G18\"  yz \"G19\" }
 
-What happens once in its block: machine coordinates, reference point, tool change, preselect, dwell, stop, optional stop, end,
-program, message.
+What happens once in its block: machine coordinates, reference point, retract along tool, pole, stock, tool change, preselect, dwell,
+stop, optional stop, end, program, program end, message.
 
     once { stop \"M0\" }
 
@@ -57,6 +61,14 @@ impl<'t> Builder<'_, 't> {
         let mut parts = parts(pair);
         Some(match rule {
             Rule::units_statement => ControllerStatement::Units(length_unit(&parts.next())),
+            Rule::blocks_statement => {
+                let kind = parts.next();
+                ControllerStatement::Blocks {
+                    kind: Spanned { value: block_kind(&kind), span: grammar::extent(&kind) },
+                    continued: text_of(&mut parts, Rule::continued_clause),
+                }
+            }
+            Rule::form_statement => return self.form(parts),
             Rule::extension_statement => ControllerStatement::Extension(parts.text()),
             Rule::comment_statement => ControllerStatement::Comment {
                 open: parts.text(),
@@ -75,6 +87,7 @@ impl<'t> Builder<'_, 't> {
                 names: parts.take_all(Rule::axis).iter().map(word).collect(),
                 format: parts.name(),
                 address: text_of(&mut parts, Rule::as_clause),
+                inch: self.number_of(&mut parts, Rule::worth_clause),
             },
             Rule::write_statement => self.write(parts),
             Rule::group_statement => return self.group(parts),
@@ -114,6 +127,18 @@ impl<'t> Builder<'_, 't> {
         ControllerStatement::WriteRange { axis, from: self.expression(parts.next()), to: self.expression(parts.next()) }
     }
 
+    fn form(&mut self, mut parts: Parts<'t>) -> Option<ControllerStatement> {
+        let name = parts.next();
+        let text = template::pieces(parts.next());
+        let span = grammar::extent(&name);
+        let Some((_, value)) = names::FORMS.into_iter().find(|(known, _)| *known == name.as_str()) else {
+            let known = names::FORMS.iter().map(|(known, _)| *known).collect();
+            self.unknown(&UNKNOWN_MEANING, "form of an axis word", name.as_str(), &span, known);
+            return None;
+        };
+        Some(ControllerStatement::Form { meaning: Spanned { value, span }, text })
+    }
+
     fn on(&mut self, mut parts: Parts<'t>) -> Option<ControllerStatement> {
         let event = self.event(&parts.next());
         let body = self.body(parts.next(), Rule::line, |_, pair| Some(template::line(pair)));
@@ -122,16 +147,43 @@ impl<'t> Builder<'_, 't> {
 
     fn group(&mut self, mut parts: Parts<'t>) -> Option<ControllerStatement> {
         let pair = parts.next();
+        let body = parts.next();
+        let name = Spanned { value: self.group_name(&pair)?, span: grammar::extent(&pair) };
+        Some(ControllerStatement::Group { body: self.members(name.value, body), name })
+    }
+
+    fn group_name(&mut self, pair: &Pair<'t>) -> Option<&'static str> {
         let known: Vec<&str> = names::groups().filter(|group| *group != "once").collect();
         let name = known.iter().copied().find(|group| *group == pair.as_str());
-        let body = parts.next();
-        let Some(value) = name else {
-            let span = grammar::extent(&pair);
-            self.unknown(&UNKNOWN_MEANING, "group", pair.as_str(), &span, known);
-            return None;
-        };
-        let name = Spanned { value, span: grammar::extent(&pair) };
-        Some(ControllerStatement::Group { body: self.members(value, body), name })
+        if name.is_none() {
+            self.unknown(&UNKNOWN_MEANING, "group", pair.as_str(), &grammar::extent(pair), known);
+        }
+        name
+    }
+
+    /// What a text of a member does beside that.
+    fn effects(&mut self, pair: Option<Pair<'t>>) -> Vec<Effect> {
+        let effects = pair.into_iter().flat_map(|pair| parts(pair).take_all(Rule::effect));
+        effects.filter_map(|effect| self.effect(effect)).collect()
+    }
+
+    fn effect(&mut self, pair: Pair<'t>) -> Option<Effect> {
+        let mut parts = parts(pair);
+        let group = self.group_name(&parts.next())?;
+        let name = parts.next();
+        let member = words_of(&name);
+        let meaning = names::meaning(group, &member).filter(|(_, number)| number.is_none());
+        if meaning.is_none() {
+            let (span, known) = (grammar::extent(&name), names::members(group).collect());
+            self.unknown(&UNKNOWN_MEANING, "member of the group", &member, &span, known);
+        }
+        meaning.map(|(meaning, _)| Effect { group, member, meaning })
+    }
+
+    /// A text of a member, and what it does beside that.
+    fn member_text(&mut self, parts: &mut Parts<'t>) -> MemberText {
+        let pattern = template::pieces(parts.next());
+        MemberText { pattern, effects: self.effects(parts.take(Rule::effects)) }
     }
 
     /// The members of a group.
@@ -140,10 +192,10 @@ impl<'t> Builder<'_, 't> {
             let mut parts = parts(pair);
             let name = parts.next();
             let (written, span) = (words_of(&name), grammar::extent(&name));
-            let first = template::pieces(parts.next());
-            let also =
-                parts.take_all(Rule::also_clause).into_iter().map(|also| template::pieces(self::parts(also).next()));
-            let patterns = std::iter::once(first).chain(also).collect();
+            let mut texts = vec![builder.member_text(&mut parts)];
+            for also in parts.take_all(Rule::also_clause) {
+                texts.push(builder.member_text(&mut self::parts(also)));
+            }
             let Some(meaning) = names::meaning(group, &written) else {
                 builder.unknown(
                     &UNKNOWN_MEANING,
@@ -154,7 +206,7 @@ impl<'t> Builder<'_, 't> {
                 );
                 return None;
             };
-            Some(Member { name: Spanned { value: written, span }, meaning, patterns })
+            Some(Member { name: Spanned { value: written, span }, meaning, texts })
         })
     }
 
@@ -196,6 +248,10 @@ impl<'t> Builder<'_, 't> {
 /// The words of a name, with one blank between them.
 fn words_of(pair: &Pair<'_>) -> String {
     pair.as_str().split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+fn block_kind(pair: &Pair<'_>) -> BlockKind {
+    if pair.as_rule() == Rule::words_kind { BlockKind::Words } else { BlockKind::Statements }
 }
 
 fn length_unit(pair: &Pair<'_>) -> Spanned<LengthUnit> {

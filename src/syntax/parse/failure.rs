@@ -37,8 +37,8 @@ Every statement begins with its keyword. Which statements there may be depends o
   `controller`
 - in a `dh` block: `link`, `bed`; in a table of errors: `at`
 - in a `branch` block: `start`, `then`, `reposition`, `lock`, `prefer`, `free`
-- in a controller: `units`, `extension`, `comment`, `sequence`, `offset`, `retract`, `format`, `word`, `write`, `group`, `once`, `plain`,
-  `on`
+- in a controller: `units`, `blocks`, `extension`, `comment`, `sequence`, `offset`, `retract`, `format`, `word`, `form`, `write`,
+  `group`, `once`, `plain`, `on`
 - in an `on` block: a text in quotes, or `bare` and a text",
 };
 

@@ -5,8 +5,10 @@ use super::layout::{StatementText, Table};
 use super::machine::clause;
 use super::{Printer, escaped, quoted};
 use crate::syntax::tree::{
-    Body, ControllerStatement, LengthUnit, LineTemplate, Member, Name, Spanned, TemplatePiece, Text, Trivia,
+    BlockKind, Body, ControllerStatement, LengthUnit, LineTemplate, Member, MemberText, Name, Spanned, TemplatePiece,
+    Text, Trivia,
 };
+use mach_runtime::dialect::names;
 
 impl Printer {
     pub(super) fn controller_statement(&mut self, statement: &ControllerStatement, behind: Option<&str>) {
@@ -51,9 +53,10 @@ fn line(statement: &ControllerStatement) -> StatementText {
             ];
             StatementText::row(Table::Formats, cells)
         }
-        ControllerStatement::Word { names, format, address } => {
-            let cells =
-                vec![format!("word {}", joined(names)), format.value.clone(), text_clause("as", address.as_ref())];
+        ControllerStatement::Word { names, format, address, inch } => {
+            let worth = inch.as_ref().map_or(String::new(), |inch| format!("inch {}", expression(inch)));
+            let address = text_clause("as", address.as_ref());
+            let cells = vec![format!("word {}", joined(names)), format.value.clone(), address, worth];
             StatementText::row(Table::Words, cells)
         }
         statement => StatementText::plain(plain(statement)),
@@ -66,6 +69,17 @@ fn plain(statement: &ControllerStatement) -> String {
             LengthUnit::Millimetre => "units mm".to_owned(),
             LengthUnit::Inch => "units inch".to_owned(),
         },
+        ControllerStatement::Blocks { kind, continued } => {
+            let kind = match kind.value {
+                BlockKind::Words => "words",
+                BlockKind::Statements => "statements",
+            };
+            let continued = continued.as_ref().map_or(String::new(), |mark| format!(" continued {}", quoted(mark)));
+            format!("blocks {kind}{continued}")
+        }
+        ControllerStatement::Form { meaning, text } => {
+            format!("form {} {}", names::form_name(meaning.value), pieces(&text.value))
+        }
         ControllerStatement::Extension(text) => format!("extension {}", quoted(text)),
         ControllerStatement::Comment { open, close } => {
             let close = close.as_ref().map_or(String::new(), |close| format!(" {}", quoted(close)));
@@ -104,9 +118,15 @@ fn joined(names: &[Name]) -> String {
 
 /// A member of a group.
 fn member(member: &Member) -> Vec<String> {
-    let mut patterns = member.patterns.iter().map(|pattern| pieces(&pattern.value));
-    let first = patterns.next().unwrap_or_default();
-    vec![member.name.value.clone(), first + &patterns.map(|also| format!(" also {also}")).collect::<String>()]
+    let mut texts = member.texts.iter().map(member_text);
+    let first = texts.next().unwrap_or_default();
+    vec![member.name.value.clone(), first + &texts.map(|also| format!(" also {also}")).collect::<String>()]
+}
+
+fn member_text(text: &MemberText) -> String {
+    let effects: Vec<String> = text.effects.iter().map(|it| format!("{} {}", it.group, it.member)).collect();
+    let effects = if effects.is_empty() { String::new() } else { format!(" ({})", effects.join(", ")) };
+    pieces(&text.pattern.value) + &effects
 }
 
 /// One line of an `on` block.

@@ -409,6 +409,7 @@ pub fn dialect() -> Dialect {
         units: LengthUnit::Millimetre,
         extension: "mpf".to_owned(),
         comment: (";".to_owned(), "".to_owned()),
+        block_kind: BlockKind::Words,
         sequence: Some(Sequence {
             address: "N".to_owned(),
             start: 10,
@@ -502,6 +503,7 @@ pub fn dialect() -> Dialect {
                 zero: None,
             },
         },
+        feed_unit_um: 1000,
         feed_per_revolution: Word {
             name: "F".to_owned(),
             address: "F".to_owned(),
