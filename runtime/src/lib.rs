@@ -23,6 +23,7 @@ pub mod place;
 pub mod post;
 pub mod readback;
 pub mod rig;
+pub mod road;
 pub mod segment;
 pub mod strictness;
 pub mod tool;

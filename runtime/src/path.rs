@@ -1,9 +1,9 @@
 //! Points to joints, block by block: the kinematics gives every candidate, the choice goes through them in order.
 
-use crate::branch::{Candidate, Choice, Chooser, Solutions, surplus};
+use crate::branch::{Candidate, Choice, Chooser, Obstacle, Solutions, surplus};
 use crate::compensation::Compensated;
 use crate::coordinates::in_machine_frame;
-use crate::kinematics::{Kinematics, LANES, Lane, PoseBlock};
+use crate::kinematics::{Kinematics, LANES, Lane, Miss, PoseBlock};
 use crate::machine::Machine;
 use crate::toolpath::{Approach, Point};
 use std::ops::Range;
@@ -43,7 +43,7 @@ pub struct Solved<'s> {
     /// Its lane in the block.
     pub lane: usize,
     /// What was chosen.
-    pub choice: Choice,
+    choice: Choice,
     /// What there was to choose from.
     pub candidates: &'s [Candidate],
     /// Whether there is no position before it.
@@ -63,13 +63,39 @@ pub struct Jump {
     pub to: f64,
 }
 
+/// Why a machine does not go to a point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum NoWay {
+    /// It has no joints for it.
+    Missed(Miss),
+    /// All joints that it has are beyond its travel; those that are least so by this.
+    OutOfTravel(Obstacle),
+}
+
 impl Solved<'_> {
+    /// The index of the chosen candidate.
+    ///
+    /// # Errors
+    /// Why none could be chosen.
+    pub fn way(&self) -> Result<usize, NoWay> {
+        match self.choice {
+            Choice::Candidate { index, .. } => Ok(index),
+            Choice::Missed(miss) => Err(NoWay::Missed(miss)),
+            Choice::OutOfTravel(index) => {
+                let obstacle = self.candidates[index].obstacle;
+                Err(NoWay::OutOfTravel(obstacle.expect("a candidate out of travel says which axis is")))
+            }
+        }
+    }
+
     /// The chosen candidate, if one could be chosen.
     pub fn chosen(&self) -> Option<&Candidate> {
-        match self.choice {
-            Choice::Candidate { index, .. } => Some(&self.candidates[index]),
-            _ => None,
-        }
+        self.way().ok().map(|index| &self.candidates[index])
+    }
+
+    /// Whether the travel kept the machine from a candidate that the policy prefers.
+    pub fn is_forced(&self) -> bool {
+        matches!(self.choice, Choice::Candidate { forced: true, .. })
     }
 }
 
@@ -104,6 +130,11 @@ impl<'a> PathSolver<'a> {
             let (choice, jump) = self.choose(lane, ahead);
             each(&Solved { point, lane, choice, candidates: self.chooser.candidates(), is_first, jump });
         }
+    }
+
+    /// The machine stands at a point before its next motion.
+    pub fn stand_at(&mut self, point: &Point) {
+        self.solve(std::slice::from_ref(point), &mut |_| {});
     }
 
     fn invert(&mut self) {

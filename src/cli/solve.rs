@@ -5,12 +5,13 @@ use mach_command::outcome::{Failure, Status};
 use mach_command::output::Lines;
 use mach_command::report::{Collected, Report};
 use mach_command::toolpath::{Options, quoted};
-use mach_runtime::branch::{Candidate, Choice};
-use mach_runtime::cl::Next;
+use mach_runtime::branch::Candidate;
 use mach_runtime::kinematics::{LANES, Miss};
 use mach_runtime::machine::Machine;
-use mach_runtime::path::{PathSolver, Solved};
+use mach_runtime::path::{NoWay, PathSolver, Solved};
+use mach_runtime::road::{Traveller, stage};
 use mach_runtime::toolpath::{Approach, Point};
+use machc::diagnostic::Diagnostic;
 use machc::numeric::Inverse;
 use serde::Serialize;
 
@@ -59,28 +60,13 @@ fn solve(
 ) -> Result<Status, Failure> {
     let machine = &prepared.machine;
     let mut reader = options.reader(cl, machine, report)?;
-    let mut path = PathSolver::new(machine, inverse.kinematics_mut());
-    let mut told = Collected::default();
-    let mut lines = Lines::stdout();
-    let mut unsolved: u64 = 0;
+    let path = PathSolver::new(machine, inverse.kinematics_mut());
+    let mut solving = Solving { machine, path, lines: Lines::stdout(), told: Collected::default(), unsolved: 0 };
     let mut points = Vec::with_capacity(LANES);
-    loop {
-        points.clear();
-        let next = reader.next_into(&mut points, LANES).map_err(|error| cannot_read(cl, &error))?;
-        path.solve(&points, &mut |solved| {
-            unsolved += u64::from(solved.chosen().is_none());
-            lines.add(&PointMessage::new(machine, solved));
-        });
-        match next {
-            Next::Full | Next::Command(..) => {}
-            Next::From(point) => path.solve(&[point], &mut |_| {}),
-            Next::Diagnostic(diagnostic) => told.add(diagnostic),
-            Next::End => break,
-        }
-        if !lines.flush()? {
-            break;
-        }
-    }
+    while stage(&mut reader, &mut points, &mut solving).map_err(|error| cannot_read(cl, &error))?
+        && solving.lines.flush()?
+    {}
+    let Solving { mut lines, told, unsolved, .. } = solving;
     lines.flush()?;
     let status = report.tell(&quoted(told.into_diagnostics(), cl));
     if unsolved > 0 {
@@ -88,6 +74,33 @@ fn solve(
         return Ok(Status::Refused);
     }
     Ok(status)
+}
+
+/// A machine whose solutions are printed.
+struct Solving<'a> {
+    machine: &'a Machine,
+    path: PathSolver<'a>,
+    lines: Lines,
+    told: Collected,
+    unsolved: u64,
+}
+
+impl Traveller for Solving<'_> {
+    fn go(&mut self, points: &[Point]) {
+        let Self { machine, path, lines, unsolved, .. } = self;
+        path.solve(points, &mut |solved| {
+            *unsolved += u64::from(solved.chosen().is_none());
+            lines.add(&PointMessage::new(machine, solved));
+        });
+    }
+
+    fn stand_at(&mut self, point: &Point) {
+        self.path.stand_at(point);
+    }
+
+    fn hear(&mut self, diagnostic: Diagnostic) {
+        self.told.add(diagnostic);
+    }
 }
 
 /// One point, solved.
@@ -117,13 +130,14 @@ enum Problem {
 }
 
 impl Problem {
-    fn of(miss: Miss) -> Self {
-        match miss {
-            Miss::OutOfReach { by_rad } => Self::OutOfReach { deg: by_rad.to_degrees() },
-            Miss::InsideDeadRadius { gap_mm: mm, radius_mm } => Self::InsideDeadRadius { mm, radius_mm },
-            Miss::OffPlane { by_mm: mm } => Self::OffPlane { mm },
-            Miss::Singular => Self::Singular,
-            Miss::NotCompensated => Self::NotCompensated,
+    fn of(no_way: NoWay) -> Self {
+        match no_way {
+            NoWay::OutOfTravel(_) => Self::OutOfTravel,
+            NoWay::Missed(Miss::OutOfReach { by_rad }) => Self::OutOfReach { deg: by_rad.to_degrees() },
+            NoWay::Missed(Miss::InsideDeadRadius { gap_mm: mm, radius_mm }) => Self::InsideDeadRadius { mm, radius_mm },
+            NoWay::Missed(Miss::OffPlane { by_mm: mm }) => Self::OffPlane { mm },
+            NoWay::Missed(Miss::Singular) => Self::Singular,
+            NoWay::Missed(Miss::NotCompensated) => Self::NotCompensated,
         }
     }
 }
@@ -144,11 +158,8 @@ struct Beyond<'a> {
 impl<'a> PointMessage<'a> {
     fn new(machine: &'a Machine, solved: &'a Solved<'_>) -> Self {
         let &Point { line, tip_mm, axis, approach } = solved.point;
-        let (chosen, problem) = match solved.choice {
-            Choice::Candidate { index, .. } => (Some(index), None),
-            Choice::Missed(miss) => (None, Some(Problem::of(miss))),
-            Choice::OutOfTravel(_) => (None, Some(Problem::OutOfTravel)),
-        };
+        let way = solved.way();
+        let (chosen, problem) = (way.ok(), way.err().map(Problem::of));
         let candidates = solved.candidates.iter().map(|candidate| Solution::new(machine, candidate)).collect();
         Self { line, tip_mm, axis, rapid: approach == Approach::Rapid, chosen, problem, candidates }
     }

@@ -13,9 +13,9 @@ pub use words::WordChange;
 use crate::diagnostic::Diagnostic;
 use crate::plan::Interpreter;
 use mach_runtime::certificate::{Extreme, Range};
-use mach_runtime::cl::{Next, Reader};
-use mach_runtime::kinematics::LANES;
+use mach_runtime::cl::Reader;
 use mach_runtime::rig::Rig;
+use mach_runtime::road::{Traveller, travel};
 use mach_runtime::toolpath::Point;
 use mach_runtime::vector::{Vec3, angle_rad, norm, sub};
 use side::{Reached, Walker};
@@ -117,19 +117,9 @@ pub fn compare<R: Read>(
     tell: &mut dyn FnMut(Diagnostic),
 ) -> io::Result<Comparison> {
     let (mut old_inverse, mut new_inverse) = (old.kinematics.clone(), new.kinematics.clone());
-    let mut walk = Walk::new(Walker::new(old, &mut old_inverse), Walker::new(new, &mut new_inverse));
-    let mut points = Vec::with_capacity(LANES);
-    loop {
-        points.clear();
-        let next = reader.next_into(&mut points, LANES)?;
-        walk.block(&points);
-        match next {
-            Next::Full | Next::Command(..) => {}
-            Next::From(point) => walk.stand_at(&point),
-            Next::Diagnostic(diagnostic) => tell(diagnostic),
-            Next::End => return Ok(walk.end()),
-        }
-    }
+    let mut walk = Walk::new(Walker::new(old, &mut old_inverse), Walker::new(new, &mut new_inverse), tell);
+    travel(&mut reader, &mut walk)?;
+    Ok(walk.end())
 }
 
 /// Both machines on their way.
@@ -138,10 +128,37 @@ struct Walk<'a> {
     new: Walker<'a>,
     axes: Correspondence,
     found: Comparison,
+    tell: &'a mut dyn FnMut(Diagnostic),
+}
+
+impl Traveller for Walk<'_> {
+    fn stand_at(&mut self, point: &Point) {
+        self.old.stand_at(point);
+        self.new.stand_at(point);
+    }
+
+    fn go(&mut self, points: &[Point]) {
+        let (old, new) = (self.old.go(points), self.new.go(points));
+        for (point, (old, new)) in points.iter().zip(old.iter().zip(&new)) {
+            self.found.points += 1;
+            self.found.old.note(point.line, old);
+            self.found.new.note(point.line, new);
+            match (old, new) {
+                (Ok(old), Ok(new)) => self.both(point.line, old, new),
+                (Err(_), Err(_)) => {}
+                _ => self.found.one_only.add(point.line),
+            }
+        }
+        self.measure(points, &old, &new);
+    }
+
+    fn hear(&mut self, diagnostic: Diagnostic) {
+        (self.tell)(diagnostic);
+    }
 }
 
 impl<'a> Walk<'a> {
-    fn new(old: Walker<'a>, new: Walker<'a>) -> Self {
+    fn new(old: Walker<'a>, new: Walker<'a>, tell: &'a mut dyn FnMut(Diagnostic)) -> Self {
         let axes = Correspondence::of(&old.machine.axes, &new.machine.axes);
         let way = |walker: &Walker<'_>| Way { ranges: walker.ranges.clone(), refused: Count::default(), refusal: None };
         let found = Comparison {
@@ -158,27 +175,7 @@ impl<'a> Walk<'a> {
             old: way(&old),
             new: way(&new),
         };
-        Self { old, new, axes, found }
-    }
-
-    fn stand_at(&mut self, point: &Point) {
-        self.old.stand_at(point);
-        self.new.stand_at(point);
-    }
-
-    fn block(&mut self, points: &[Point]) {
-        let (old, new) = (self.old.go(points), self.new.go(points));
-        for (point, (old, new)) in points.iter().zip(old.iter().zip(&new)) {
-            self.found.points += 1;
-            self.found.old.note(point.line, old);
-            self.found.new.note(point.line, new);
-            match (old, new) {
-                (Ok(old), Ok(new)) => self.both(point.line, old, new),
-                (Err(_), Err(_)) => {}
-                _ => self.found.one_only.add(point.line),
-            }
-        }
-        self.measure(points, &old, &new);
+        Self { old, new, axes, found, tell }
     }
 
     /// A point that both go to.

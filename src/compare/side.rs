@@ -1,44 +1,27 @@
 //! One of two machines on its way along a toolpath.
 
 use crate::plan::Interpreter;
-use mach_runtime::branch::{Candidate, Choice};
+use mach_runtime::branch::Candidate;
 use mach_runtime::certificate::Range;
 use mach_runtime::compensation::Compensated;
 use mach_runtime::coordinates::{AxisOffset, from_program_zero};
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Miss, PoseBlock};
 use mach_runtime::machine::Machine;
 use mach_runtime::nc::axis_word::AxisWord;
-use mach_runtime::path::{PathSolver, Solved};
+use mach_runtime::path::{NoWay, PathSolver, Solved};
 use mach_runtime::rig::Rig;
 use mach_runtime::toolpath::Point;
 use mach_runtime::vector::Vec3;
 
 /// Why a machine does not go to a point.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Refusal {
-    /// The direction is out of reach.
-    Reach,
-    /// The tip is off the plane of the two linear axes.
-    Plane,
+    /// It has no joints for it.
+    Missed(Miss),
     /// This axis would be beyond its travel.
     Travel(String),
-    /// The linear axes do not span space there.
-    Singular,
-    /// The correction of the machine's errors comes to no rest.
-    NotCompensated,
     /// The word of this axis has too few digits.
     Word(String),
-}
-
-impl Refusal {
-    fn of(miss: Miss) -> Self {
-        match miss {
-            Miss::OutOfReach { .. } => Self::Reach,
-            Miss::InsideDeadRadius { .. } | Miss::OffPlane { .. } => Self::Plane,
-            Miss::Singular => Self::Singular,
-            Miss::NotCompensated => Self::NotCompensated,
-        }
-    }
 }
 
 /// A point that a machine goes to.
@@ -104,7 +87,7 @@ impl<'a> Walker<'a> {
 
     /// The tool stands here before the first motion.
     pub(super) fn stand_at(&mut self, point: &Point) {
-        self.path.solve(std::slice::from_ref(point), &mut |_| {});
+        self.path.stand_at(point);
     }
 
     /// Where words (from the program zero, by axis) take the tool in the workpiece, lane by lane: tips in millimetres
@@ -123,14 +106,10 @@ impl<'a> Walker<'a> {
 
 fn reach(machine: &Machine, words: &[AxisWord], solved: &Solved<'_>) -> Result<Reached, Refusal> {
     let named = |axis: usize| machine.axes[axis].name.clone();
-    let index = match solved.choice {
-        Choice::Candidate { index, .. } => index,
-        Choice::Missed(miss) => return Err(Refusal::of(miss)),
-        Choice::OutOfTravel(index) => {
-            let obstacle = solved.candidates[index].obstacle.expect("a candidate beyond the travel says which axis is");
-            return Err(Refusal::Travel(named(obstacle.axis)));
-        }
-    };
+    let index = solved.way().map_err(|no_way| match no_way {
+        NoWay::Missed(miss) => Refusal::Missed(miss),
+        NoWay::OutOfTravel(obstacle) => Refusal::Travel(named(obstacle.axis)),
+    })?;
     let joints = &solved.candidates[index].joints;
     let printed = words.iter().zip(joints).enumerate().map(|(axis, (word, joint))| {
         let units = word.units(*joint, machine.tool().length_mm);

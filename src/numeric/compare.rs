@@ -4,12 +4,13 @@ use super::{Effort, Inverse, Solver};
 use crate::diagnostic::Diagnostic;
 use crate::plan::{Interpreter, Plan};
 use mach_runtime::certificate::Extreme;
-use mach_runtime::cl::{Next, Reader};
+use mach_runtime::cl::Reader;
 use mach_runtime::compensation::Compensated;
 use mach_runtime::coordinates::in_machine_frame;
 use mach_runtime::kinematics::{JointBlock, Kinematics, LANES, Lane, Miss, Pole, PoseBlock, SolutionBlock};
 use mach_runtime::machine::Machine;
 use mach_runtime::path::PathSolver;
+use mach_runtime::road::{Traveller, travel};
 use mach_runtime::tool::ToolGeometry;
 use mach_runtime::toolpath::Point;
 use mach_runtime::vector::{Vec3, angle_rad, norm, sub};
@@ -58,27 +59,37 @@ pub fn compare<R: Read>(
     let solvers: Vec<Solver> = Solver::of_plan(plan).collect();
     let inverses = solvers.iter().map(|solver| solver.inverse(plan).expect("the plan has these solvers"));
     let mut timed: Vec<Timed<'_>> = inverses.map(|inverse| Timed::new(inverse, clock)).collect();
-    let mut runs: Vec<Run<'_>> = timed.iter_mut().map(|timed| Run::new(machine, plan, timed)).collect();
-    let mut points = Vec::with_capacity(LANES);
-    let mut count = 0;
-    loop {
-        points.clear();
-        let next = reader.next_into(&mut points, LANES)?;
-        count += points.len() as u64;
-        runs.iter_mut().for_each(|run| run.go(&points));
-        match next {
-            Next::Full | Next::Command(..) => {}
-            Next::From(point) => runs.iter_mut().for_each(|run| run.path.solve(&[point], &mut |_| {})),
-            Next::Diagnostic(diagnostic) => tell(diagnostic),
-            Next::End => break,
-        }
-    }
-    let found: Vec<Found> = runs.into_iter().map(|run| run.found).collect();
+    let runs = timed.iter_mut().map(|timed| Run::new(machine, plan, timed)).collect();
+    let mut race = Race { runs, points: 0, tell };
+    travel(&mut reader, &mut race)?;
+    let (points, found) = (race.points, race.runs.into_iter().map(|run| run.found).collect::<Vec<_>>());
     let measured = solvers.into_iter().zip(found).zip(timed).map(|((solver, found), timed)| {
         let Found { tip_mm, axis_rad, failures } = found;
         Measured { solver, effort: timed.inverse.effort(), tip_mm, axis_rad, failures, pose_ns: timed.pose_ns() }
     });
-    Ok(Compared { points: count, solvers: measured.collect() })
+    Ok(Compared { points, solvers: measured.collect() })
+}
+
+/// All of them on their way.
+struct Race<'a> {
+    runs: Vec<Run<'a>>,
+    points: u64,
+    tell: &'a mut dyn FnMut(Diagnostic),
+}
+
+impl Traveller for Race<'_> {
+    fn go(&mut self, points: &[Point]) {
+        self.points += points.len() as u64;
+        self.runs.iter_mut().for_each(|run| run.go(points));
+    }
+
+    fn stand_at(&mut self, point: &Point) {
+        self.runs.iter_mut().for_each(|run| run.path.stand_at(point));
+    }
+
+    fn hear(&mut self, diagnostic: Diagnostic) {
+        (self.tell)(diagnostic);
+    }
 }
 
 /// A solver on its way along the path.

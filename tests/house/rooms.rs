@@ -44,6 +44,7 @@ pub(crate) static ROOMS: &[Room] = &[
     room("runtime/src/cl", &["runtime/src/machine", "runtime/src/kinematics", "runtime/src/nc/dialect"]),
     room("runtime/src/branch", &["runtime/src/cl", "runtime/src/toolpath", "runtime/src/compensation"]),
     room("runtime/src/path", &["runtime/src/cl", "runtime/src/nc/dialect"]),
+    room("runtime/src/road", &["runtime/src/machine", "runtime/src/path", "runtime/src/nc/dialect"]),
     room("runtime/src/readback", &["runtime/src/cl", "runtime/src/kinematics"]),
     room("runtime/src/nc", &["runtime/src/cl", "runtime/src/kinematics", "runtime/src/readback"]),
     room("runtime/src/certificate", &["runtime/src/nc", "runtime/src/nc/dialect"]),

@@ -4,7 +4,7 @@ use super::in_force::InForce;
 use super::job::Job;
 use super::refusal::{self, NO_FEED_RATE, SPINDLE_STANDS, TOO_MANY_ERRORS};
 use super::stretch::{PrintedPoint, Stretch};
-use crate::branch::{Candidate, Choice};
+use crate::branch::Candidate;
 use crate::cl::Next;
 use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::kinematics::Kinematics;
@@ -198,6 +198,6 @@ fn rotary_step_deg(solved: &Solved<'_>, chosen: &Candidate) -> Option<f64> {
 
 /// Whether a choice was forced by the travel, or a surplus axis jumps, in the middle of a cut.
 fn is_reposition(solved: &Solved<'_>) -> bool {
-    let forced = matches!(solved.choice, Choice::Candidate { forced: true, .. }) || solved.jump.is_some();
+    let forced = solved.is_forced() || solved.jump.is_some();
     forced && !solved.is_first && is_cut(solved.point)
 }

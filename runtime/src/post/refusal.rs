@@ -1,11 +1,11 @@
 //! Points that the machine cannot go to, as diagnostics.
 
 use super::job::Job;
-use crate::branch::{Candidate, Choice, Obstacle};
+use crate::branch::{Candidate, Obstacle};
 use crate::diagnostic::{Code, Diagnostic, Place};
 use crate::kinematics::Miss;
 use crate::machine::{Axis, Motion, Rule, Travel};
-use crate::path::{Jump, Solved};
+use crate::path::{Jump, NoWay, Solved};
 use crate::strictness::Strictness;
 
 /// E1101.
@@ -142,10 +142,10 @@ once a file, and not for a controller without a block `on spindle clockwise`. Ha
 /// Why a point cannot be posted, if it cannot.
 pub(super) fn of(job: Job<'_>, solved: &Solved<'_>) -> Option<Diagnostic> {
     let place = Place::line(job.file, solved.point.line);
-    match solved.choice {
-        Choice::Candidate { .. } => None,
-        Choice::Missed(miss) => Some(missed(job, solved, miss, place)),
-        Choice::OutOfTravel(index) => Some(out_of_travel(job, solved, index, place)),
+    match solved.way() {
+        Ok(_) => None,
+        Err(NoWay::Missed(miss)) => Some(missed(job, solved, miss, place)),
+        Err(NoWay::OutOfTravel(obstacle)) => Some(out_of_travel(job, solved, obstacle, place)),
     }
 }
 
@@ -179,7 +179,7 @@ fn missed(job: Job<'_>, solved: &Solved<'_>, miss: Miss, place: Place) -> Diagno
     }
 }
 
-fn out_of_travel(job: Job<'_>, solved: &Solved<'_>, index: usize, place: Place) -> Diagnostic {
+fn out_of_travel(job: Job<'_>, solved: &Solved<'_>, worst: Obstacle, place: Place) -> Diagnostic {
     let axes = &job.machine.axes;
     let obstacles = solved.candidates.iter().filter_map(|candidate| {
         let obstacle = candidate.obstacle?;
@@ -188,7 +188,6 @@ fn out_of_travel(job: Job<'_>, solved: &Solved<'_>, index: usize, place: Place) 
     let mut ways: Vec<String> =
         obstacles.map(|(value, obstacle)| beyond(&axes[obstacle.axis], value, obstacle.beyond)).collect();
     ways.dedup();
-    let worst = solved.candidates[index].obstacle.expect("a candidate out of travel has an obstacle");
     let axis = &axes[worst.axis];
     let message = format!("the point is out of the travel of axis {}", axis.name);
     let label = format!("{} beyond the travel of {}", amount(axis, worst.beyond), axis.name);

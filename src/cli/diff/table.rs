@@ -1,6 +1,7 @@
 //! A comparison as tables for people.
 
 use mach_runtime::certificate::Range;
+use mach_runtime::kinematics::Miss;
 use mach_runtime::number::rounded;
 use machc::compare::{Apart, Comparison, Count, Refusal, Way, WordChange};
 
@@ -19,11 +20,13 @@ pub(super) fn comparison(comparison: &Comparison, files: [&str; 2], cl: &str) ->
 /// In a few words.
 pub(super) fn reason(refusal: &Refusal) -> String {
     match refusal {
-        Refusal::Reach => "the direction is out of reach".to_owned(),
-        Refusal::Plane => "the point is off the plane of the two linear axes".to_owned(),
+        Refusal::Missed(Miss::OutOfReach { .. }) => "the direction is out of reach".to_owned(),
+        Refusal::Missed(Miss::InsideDeadRadius { .. } | Miss::OffPlane { .. }) => {
+            "the point is off the plane of the two linear axes".to_owned()
+        }
+        Refusal::Missed(Miss::Singular) => "the linear axes cannot hold the tip there".to_owned(),
+        Refusal::Missed(Miss::NotCompensated) => "no joints put the tip there with the machine's errors".to_owned(),
         Refusal::Travel(axis) => format!("{axis} beyond its travel"),
-        Refusal::Singular => "the linear axes cannot hold the tip there".to_owned(),
-        Refusal::NotCompensated => "no joints put the tip there with the machine's errors".to_owned(),
         Refusal::Word(axis) => format!("the word {axis} is too narrow"),
     }
 }
