@@ -47,12 +47,11 @@ pub fn compile(entry: &str, sources: &dyn Sources) -> Result<Compiled, Vec<Diagn
     let said = family::of_machine(&library, machine, &mut found);
     let controller = family::controller(&library, &said.statements, &mut found);
     let draft = describe(&library, &machine, &said, controller.as_ref(), &mut found);
-    let lowered = controller.as_ref().and_then(|controller| dialect(controller, &draft, &mut found));
-    let (dialect, table) = lowered.map(|lowered| (lowered.dialect, lowered.table)).unzip();
+    let dialect = controller.as_ref().and_then(|controller| dialect(controller, &draft, &mut found));
     found.extend(check::all(&draft));
     refuse_errors(&program.sources, &mut found)?;
 
-    let model = Model { dialect, table, ..build(&draft) };
+    let model = Model { dialect, ..build(&draft) };
     if let Some(controller) = &controller {
         found.extend(check::narrow_word::check(&model, &draft, &controller.said.statements));
         found.extend(check::no_way_out::check(&model, &draft, &controller.said.statements));

@@ -80,10 +80,8 @@ pub struct Certificate {
     pub points: u64,
     /// Motion blocks printed; a point at which no word changes prints none.
     pub blocks: u64,
-    /// The largest distance of the tip from the CL point, in millimetres.
-    pub tip_mm: Extreme,
-    /// The largest angle of the tool axis from the CL's, in radians.
-    pub axis_rad: Extreme,
+    /// How far the tool is from the CL's points at most, at the CL's line.
+    pub worst: Worst,
     /// The largest sum of rotary motion in one block at feed, in degrees.
     pub rotary_step_deg: Extreme,
     /// How far the tip leaves the straight line between two points at most.
@@ -98,24 +96,10 @@ impl Certificate {
         Self {
             points: 0,
             blocks: 0,
-            tip_mm: Extreme::default(),
-            axis_rad: Extreme::default(),
+            worst: Worst::default(),
             rotary_step_deg: Extreme::default(),
             between: Between::default(),
             ranges: axes.iter().map(Range::new).collect(),
-        }
-    }
-
-    /// A point that was printed (perhaps as nothing), and how far what was read back is from it.
-    #[inline]
-    pub(crate) fn compare(&mut self, line: u64, Deviation { tip_mm_squared, sine_squared, cosine }: Deviation) {
-        self.points += 1;
-        // Roots and arc tangents are for the few points that may be the worst; an angle is at most its tangent.
-        if self.tip_mm.line == 0 || tip_mm_squared > lower_square(self.tip_mm.value) {
-            self.tip_mm.meet(tip_mm_squared.sqrt(), line);
-        }
-        if self.axis_rad.line == 0 || cosine <= 0.0 || sine_squared > lower_square(self.axis_rad.value * cosine) {
-            self.axis_rad.meet(libm::atan2(sine_squared.sqrt(), cosine), line);
         }
     }
 
@@ -168,6 +152,15 @@ impl Between {
     }
 }
 
+/// How far poses are from the wanted ones at most.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Worst {
+    /// The distance of the tips, in millimetres.
+    pub tip_mm: Extreme,
+    /// The angle between the axes, in radians.
+    pub axis_rad: Extreme,
+}
+
 /// How far a pose is from the wanted one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Deviation {
@@ -192,6 +185,20 @@ impl Deviation {
     }
 }
 
+impl Worst {
+    /// Takes a deviation, at a line.
+    #[inline]
+    pub(crate) fn meet(&mut self, Deviation { tip_mm_squared, sine_squared, cosine }: Deviation, line: u64) {
+        // Roots and arc tangents are for the few points that may be the worst; an angle is at most its tangent.
+        if self.tip_mm.line == 0 || tip_mm_squared > lower_square(self.tip_mm.value) {
+            self.tip_mm.meet(tip_mm_squared.sqrt(), line);
+        }
+        if self.axis_rad.line == 0 || cosine <= 0.0 || sine_squared > lower_square(self.axis_rad.value * cosine) {
+            self.axis_rad.meet(libm::atan2(sine_squared.sqrt(), cosine), line);
+        }
+    }
+}
+
 /// A little less than the square, so that no root above the value has a square below it, whatever rounding does.
 #[inline]
 fn lower_square(value: f64) -> f64 {
@@ -205,8 +212,13 @@ impl fmt::Display for Certificate {
         let worst = |f: &mut fmt::Formatter<'_>, title: &str, value: String, extreme: &Extreme| {
             writeln!(f, "  {title:<22}{value} at line {}", extreme.line)
         };
-        worst(f, "largest tip error", format!("{:.6} mm", self.tip_mm.value), &self.tip_mm)?;
-        worst(f, "largest axis error", format!("{:.6} deg", self.axis_rad.value.to_degrees()), &self.axis_rad)?;
+        worst(f, "largest tip error", format!("{:.6} mm", self.worst.tip_mm.value), &self.worst.tip_mm)?;
+        worst(
+            f,
+            "largest axis error",
+            format!("{:.6} deg", self.worst.axis_rad.value.to_degrees()),
+            &self.worst.axis_rad,
+        )?;
         if !self.ranges.iter().any(|range| range.axis.motion == Motion::Rotary) {
             return self.ranges.iter().try_for_each(|range| writeln!(f, "  {range}"));
         }

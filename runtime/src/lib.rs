@@ -1,8 +1,8 @@
 //! What every post compiled by machc links to.
 //!
 //! CL text is read as a stream (`cl`), placed (`place`), solved by the machine's own kinematics
-//! (`kinematics`), reduced to one joint path (`branch`), written (`nc`), read back (`readback`) and
-//! compared with the CL (`certificate`). The runtime never parses a `.mach` file: a machine reaches it
+//! (`kinematics`), reduced to one joint path (`branch`), written (`nc`), read as its control reads it (`control`) and
+//! compared with the CL (`verify`). The runtime never parses a `.mach` file: a machine reaches it
 //! as the tables of `machine` and `nc::dialect` and as an implementation of `kinematics::Kinematics`.
 
 pub mod branch;
@@ -21,7 +21,6 @@ pub mod number;
 pub mod path;
 pub mod place;
 pub mod post;
-pub mod readback;
 pub mod rig;
 pub mod road;
 pub mod segment;

@@ -4,6 +4,7 @@ mod between;
 mod checker;
 mod in_force;
 mod job;
+mod otherwise;
 mod pipeline;
 mod printer;
 mod refusal;
@@ -45,12 +46,14 @@ pub(crate) fn post<R: Read, K: Kinematics + Clone + Send>(
     } else {
         pipeline.run_side_by_side()?
     }
-    let certificate = pipeline.checker.finish()?;
-    if !pipeline.printer.is_without_errors() {
+    let Pipeline { printer, checker, tell, .. } = pipeline;
+    if !printer.is_without_errors() {
         return Ok(None);
     }
-    between::warning(job, &certificate.between).into_iter().for_each(tell);
-    Ok(Some(certificate))
+    let certificate = checker.finish(tell)?;
+    let between = certificate.as_ref().and_then(|certificate| between::warning(job, &certificate.between));
+    between.into_iter().for_each(tell);
+    Ok(certificate)
 }
 
 /// The codes that a post may raise by itself.

@@ -7,7 +7,6 @@ use mach_command::outcome::{Failure, Status};
 use mach_command::output::Output;
 use mach_command::report::{Collected, Report};
 use mach_command::toolpath::{Options, quoted};
-use mach_runtime::dialect::table::Table;
 use mach_runtime::machine::Machine;
 use mach_runtime::nc::dialect::Dialect;
 use mach_runtime::verify::{Agreement, Comparison, ReverseCl, Survey, Verifier};
@@ -40,21 +39,20 @@ pub(super) struct Arguments {
     options: Options,
 }
 
-/// The machine's tables, how its programs are written, and what they mean.
+/// The machine's tables, and how its programs are written.
 struct Reading<'a> {
     machine: &'a Machine,
     dialect: &'a Dialect,
-    table: &'a Table,
     plan: &'a Plan,
 }
 
 pub(super) fn run(arguments: Arguments, report: &mut Report) -> Result<Status, Failure> {
     let Some(prepared) = prepare(&arguments.machine, report)? else { return Ok(Status::Refused) };
-    let (Some(dialect), Some(table)) = (&prepared.model.dialect, &prepared.model.table) else {
+    let Some(dialect) = &prepared.model.dialect else {
         return Ok(report.tell(&[no_controller(&prepared.origins)]));
     };
     let machine = arguments.options.equipped(prepared.machine.clone());
-    let reading = Reading { machine: &machine, dialect, table, plan: &prepared.plan };
+    let reading = Reading { machine: &machine, dialect, plan: &prepared.plan };
     let mut output = arguments.cl.as_deref().map(|path| Output::begin(Some(path))).transpose()?;
     let mut told = Collected::default();
     let (survey, agreement) = verify(&arguments, &reading, output.as_mut(), &mut told, report)?;
@@ -79,13 +77,13 @@ fn verify(
     told: &mut Collected,
     report: &Report,
 ) -> Result<(Survey, Option<Agreement>), Failure> {
-    let Reading { machine, dialect, table, plan } = *reading;
+    let Reading { machine, dialect, plan } = *reading;
     let (program, cl) = (&arguments.program, arguments.cl.as_deref().unwrap_or_default());
     let mut lines = ProgramLines::open(program, report)?;
     let comparison = match &arguments.against {
         Some(file) => {
             let reader = arguments.options.reader(file, machine, report)?;
-            Some(Comparison::new(shown(file), reader, machine, dialect, table))
+            Some(Comparison::new(shown(file), reader, machine, dialect))
         }
         None => None,
     };
@@ -93,7 +91,7 @@ fn verify(
     let reverse = output.map(|output| begin(output as &mut dyn Write)).transpose();
     let reverse = reverse.map_err(|error| cannot_write(cl, &error))?;
     let mut kinematics = Interpreter::new(plan);
-    let mut verifier = Verifier::new(shown(program), table, machine, &mut kinematics);
+    let mut verifier = Verifier::new(shown(program), &dialect.table, machine, &mut kinematics);
     verifier = verifier.against(comparison).written_as(reverse);
     let cannot = |error| cannot_read(program, &error);
     while let Some((text, number)) = lines.next()? {
@@ -170,8 +168,8 @@ impl Message {
             differences: it.differences,
             approaches: it.approaches,
             retracts: it.retracts,
-            tip_error_mm: it.tip_mm.value,
-            axis_error_rad: it.axis_rad.value,
+            tip_error_mm: it.worst.tip_mm.value,
+            axis_error_rad: it.worst.axis_rad.value,
         };
         Self {
             blocks: survey.blocks,

@@ -50,7 +50,6 @@ pub(crate) fn build(draft: &Draft<'_>) -> Model {
             reposition: draft.reposition.unwrap_or(Strictness::Error),
         },
         dialect: None,
-        table: None,
     }
 }
 

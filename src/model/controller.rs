@@ -20,7 +20,6 @@ mod scene;
 mod sequence;
 mod table;
 mod template;
-mod trial;
 mod word;
 
 use crate::syntax::tree::{BlockKind, ControllerStatement, Span, Text};
@@ -29,12 +28,11 @@ pub use controlled_axis::ControlledAxis;
 use lowering::Lowering;
 use mach_runtime::diagnostic::{Code, Diagnostic, Place};
 use mach_runtime::dialect::meaning::{FeedMode, Meaning};
-use mach_runtime::dialect::table::Table;
 use mach_runtime::nc::dialect::{Codes, Dialect};
 use mach_runtime::unit::LengthUnit;
 
 /// Everything that can be wrong with a controller.
-pub static CODES: [&Code; 21] = [
+pub static CODES: [&Code; 20] = [
     &picture::BAD_PICTURE,
     &word::UNKNOWN_FORMAT,
     &address::BAD_ADDRESS,
@@ -48,7 +46,6 @@ pub static CODES: [&Code; 21] = [
     &effect::UNREAD_TEXT,
     &effect::OTHER_EFFECT,
     &lowering::UNPRINTABLE,
-    &trial::UNREADABLE_MOTION,
     &beside::RUNS_TOGETHER,
     &code::MORE_THAN_A_CODE,
     &retract::NO_AXIS_WORD,
@@ -94,22 +91,13 @@ pub struct Controller<'a> {
     pub place: &'a dyn Fn(usize, &Span) -> Place,
 }
 
-/// A controller's description for one machine.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Lowered {
-    /// How programs are written.
-    pub dialect: Dialect,
-    /// What their texts mean.
-    pub table: Table,
-}
-
 /// The dialect for a machine with these axes, in the machine's order.
 ///
 /// `write` statements are not looked at: how a rotary is wound is a matter of the axis.
 ///
 /// # Errors
 /// Everything that is wrong with the statements.
-pub fn lower(controller: &Controller<'_>, axes: &[ControlledAxis<'_>]) -> Result<Lowered, Vec<Diagnostic>> {
+pub fn lower(controller: &Controller<'_>, axes: &[ControlledAxis<'_>]) -> Result<Dialect, Vec<Diagnostic>> {
     let mut lowering = Lowering::new(controller);
     let units = units(&lowering);
     let formats = word::formats(&mut lowering, units);
@@ -142,14 +130,12 @@ pub fn lower(controller: &Controller<'_>, axes: &[ControlledAxis<'_>]) -> Result
         feed_unit_um: if units == LengthUnit::Inch { feed_unit::inch_um(&lowering) } else { 1000 },
         modal_groups,
         blocks,
+        table,
     };
     if lowering.diagnostics.is_empty() {
-        effect::check(&mut lowering, &dialect, &table, axes);
+        effect::check(&mut lowering, &dialect, axes);
     }
-    if lowering.diagnostics.is_empty() {
-        trial::read_back(&mut lowering, &dialect);
-    }
-    if lowering.diagnostics.is_empty() { Ok(Lowered { dialect, table }) } else { Err(lowering.diagnostics) }
+    if lowering.diagnostics.is_empty() { Ok(dialect) } else { Err(lowering.diagnostics) }
 }
 
 fn extension_statement(statement: &ControllerStatement) -> Option<&Text> {

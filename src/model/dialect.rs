@@ -1,18 +1,19 @@
 //! The dialect of a machine: its controller's statements, lowered for its axes.
 
-use super::controller::{self, Lowered};
+use super::controller;
 use super::draft::Draft;
 use super::family::Controller;
 use super::source::Location;
 use crate::diagnostic::Diagnostic;
 use crate::syntax::tree::Span;
+use mach_runtime::nc::dialect::Dialect;
 
 /// Lowers the statements that hold for this machine; `None` when something was wrong, which has been said, or was not understood.
 pub(crate) fn dialect(
     controller: &Controller<'_>,
     draft: &Draft<'_>,
     diagnostics: &mut Vec<Diagnostic>,
-) -> Option<Lowered> {
+) -> Option<Dialect> {
     if !controller.said.lost.is_empty() || draft.may_lack_axes() {
         return None;
     }

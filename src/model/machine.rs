@@ -2,7 +2,6 @@
 //! once, the axes that the pose decides can be solved for, and the dialect prints every axis.
 
 use super::errors::Errors;
-use mach_runtime::dialect::table::Table;
 use mach_runtime::machine::{BranchPolicy, Motion, Rule, Travel, Written};
 use mach_runtime::nc::dialect::Dialect;
 use mach_runtime::strictness::Strictness;
@@ -42,8 +41,6 @@ pub struct Model {
     pub branch: BranchPolicy,
     /// The controller's dialect, where the machine names one; its axis words are in the order of `axes`.
     pub dialect: Option<Dialect>,
-    /// What the texts of its programs mean, for whoever reads one.
-    pub table: Option<Table>,
 }
 
 /// A declared axis.

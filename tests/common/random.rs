@@ -61,7 +61,6 @@ pub(crate) fn model(axes: Vec<ModelAxis>, chain: Vec<ModelJoint>, tool: Tool) ->
         unknown_records: Strictness::Error,
         branch: BranchPolicy { start: vec![], then: vec![], reposition: Strictness::Error },
         dialect: None,
-        table: None,
     }
 }
 

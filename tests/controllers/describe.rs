@@ -27,5 +27,5 @@ pub(crate) fn dialect(text: &str, axes: &[&str]) -> Result<Dialect, Vec<Diagnost
     };
     let motion = |name: &str| if name.starts_with(['A', 'B', 'C']) { Motion::Rotary } else { Motion::Linear };
     let axes: Vec<ControlledAxis<'_>> = axes.iter().map(|name| ControlledAxis { name, motion: motion(name) }).collect();
-    lower(&request, &axes).map(|lowered| lowered.dialect)
+    lower(&request, &axes)
 }

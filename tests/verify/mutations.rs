@@ -46,8 +46,7 @@ enum Deed {
 /// What a program does; `None` where the control does not understand it.
 fn deeds(setup: &Setup, nc: &str) -> Option<Vec<Deed>> {
     let machine = tables::machine(&setup.compiled.model);
-    let table = setup.compiled.model.table.as_ref().expect("the machine has a controller");
-    let mut control = Control::new(table, &machine.axes, machine.tool());
+    let mut control = Control::new(&setup.rig.dialect.table, &machine.axes, machine.tool());
     let mut motion = Motion::new(machine.axes.len());
     for (number, line) in nc.lines().enumerate() {
         control.run(line, number as u64 + 1, &mut motion).ok()?;
@@ -264,7 +263,7 @@ fn campaign(machine: &str, setup: &Setup, programs: &[&str]) {
     let originals: Vec<Vec<Deed>> = posted.iter().map(|(nc, _)| deeds(setup, nc).expect("ours")).collect();
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let (mut reported, mut harmless): (BTreeMap<&str, u32>, BTreeMap<&str, u32>) = (BTreeMap::new(), BTreeMap::new());
-    let table = setup.compiled.model.table.as_ref().expect("the machine has a controller");
+    let table = &setup.rig.dialect.table;
     let kinds = if table.blocks == BlockKind::Statements { KINDS_OF_STATEMENTS } else { KINDS };
     let mut count = 0;
     while count < COUNT {

@@ -24,9 +24,8 @@ fn a_plain_block_is_what_its_tokens_are() {
         let setup = Setup::new(compiled(&format!("machines/{name}.mach"), &Files));
         let Some(program) = setup.post(include_str!("../../examples/face_mill.cls")) else { continue };
         let axes = &setup.rig.machine.axes;
-        let table = setup.compiled.model.table.as_ref().expect("the machine has a controller");
         for line in program.lines().take(80).flat_map(edited) {
-            let mut control = Control::new(table, axes, setup.rig.machine.tool());
+            let mut control = Control::new(&setup.rig.dialect.table, axes, setup.rig.machine.tool());
             control.stand_at(&vec![0.0; axes.len()]);
             let run = control.run(&line, 1, &mut Motion::new(axes.len()));
             compared += u32::from(run.is_ok());

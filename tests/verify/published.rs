@@ -37,11 +37,11 @@ fn program(rows: &[Row]) -> String {
 
 /// The points of a program, as CL text.
 fn points(Compiled { model, plan, .. }: &Compiled, nc: &str) -> String {
-    let (machine, table) = (tables::machine(model), model.table.as_ref().expect("the machine has a controller"));
+    let (machine, dialect) = (tables::machine(model), model.dialect.as_ref().expect("the machine has a controller"));
     let mut cl = Vec::new();
     let reverse = ReverseCl::begin(&mut cl, &machine, "LIST").expect("memory can be written");
     let mut kinematics = Interpreter::new(plan);
-    let mut verifier = Verifier::new("list.nc", table, &machine, &mut kinematics).written_as(Some(reverse));
+    let mut verifier = Verifier::new("list.nc", &dialect.table, &machine, &mut kinematics).written_as(Some(reverse));
     let told = &mut |it| panic!("{it:?}");
     for (number, line) in (1..).zip(nc.lines()) {
         verifier.line(line, number, told).expect("memory can be written");

@@ -67,8 +67,7 @@ struct Model<'a> {
 
 impl Model<'_> {
     fn commands(&self, setup: &Setup, nc: &str) -> Vec<String> {
-        let table = setup.compiled.model.table.as_ref().expect("the machine has a controller");
-        let mut control = Control::new(table, self.axes, ToolGeometry::of_length(0.0));
+        let mut control = Control::new(&setup.rig.dialect.table, self.axes, ToolGeometry::of_length(0.0));
         let mut motion = Motion::new(self.axes.len());
         for (number, line) in (1..).zip(nc.lines()) {
             control.run(line, number, &mut motion).unwrap_or_else(|error| panic!("{line}: {error:?}"));

@@ -40,13 +40,13 @@ impl Setup {
 
     /// What is told of a program against its CL.
     pub(crate) fn verify(&self, nc: &str, cl: &str) -> (Vec<Diagnostic>, Agreement) {
-        let table = self.compiled.model.table.as_ref().expect("the machine has a controller");
         let machine = tables::machine(&self.compiled.model);
         let mut kinematics = Interpreter::new(&self.compiled.plan);
         let options = reader_options(&machine);
         let reader = Reader::new("part.cls", Box::new(cl.as_bytes()) as Box<dyn Read>, options);
-        let comparison = Comparison::new("part.cls", reader, &machine, &self.rig.dialect, table);
-        let mut verifier = Verifier::new("part.nc", table, &machine, &mut kinematics).against(Some(comparison));
+        let comparison = Comparison::new("part.cls", reader, &machine, &self.rig.dialect);
+        let mut verifier =
+            Verifier::new("part.nc", &self.rig.dialect.table, &machine, &mut kinematics).against(Some(comparison));
         let mut told = Vec::new();
         for (number, line) in (1..).zip(nc.lines()) {
             verifier.line(line, number, &mut |it| told.push(it)).expect("memory can be read");

@@ -49,6 +49,8 @@ pub struct Control<'m> {
     is_over: bool,
     /// The text of lines that go on in the next one.
     continued: String,
+    /// Whether the last state of the motion is the one in force.
+    is_state_told: bool,
     /// The last block, whose room is used again.
     block: Block,
     /// What was modal and where the axes were before it.
@@ -74,6 +76,7 @@ impl<'m> Control<'m> {
             has_begun: false,
             is_over: false,
             continued: String::new(),
+            is_state_told: false,
             block: Block::default(),
         }
     }
@@ -95,6 +98,7 @@ impl<'m> Control<'m> {
 
     /// Puts what is modal into a state, as if blocks had done so.
     pub fn set_modal(&mut self, modal: Modal) {
+        self.is_state_told = false;
         self.modal = modal;
         self.has_begun = true;
     }
@@ -132,6 +136,10 @@ impl<'m> Control<'m> {
     pub fn run(&mut self, text: &str, number: u64, out: &mut Motion) -> Result<(), Fault> {
         self.block.clear();
         if self.continued.is_empty() && self.plain.read(text.as_bytes(), &mut self.block) {
+            if self.goes_straight() {
+                self.go_straight(number, out);
+                return Ok(());
+            }
             return self.try_block(number, out).map_err(|mistake| (mistake, 0..text.len()));
         }
         let Some((block, span)) = self.whole_block(text)? else { return Ok(()) };
@@ -167,6 +175,7 @@ impl<'m> Control<'m> {
 
     /// Carries the block out, whole or not at all.
     fn try_block(&mut self, line: u64, out: &mut Motion) -> Result<(), Mistake> {
+        self.is_state_told = false;
         (self.before.0, self.before.2) = (self.modal, self.known);
         self.before.1.copy_from_slice(&self.joints);
         let (block, items) = (mem::take(&mut self.block), out.items().len());
@@ -239,9 +248,19 @@ impl<'m> Control<'m> {
 
     /// Feed, speed and tool.
     fn take_words(&mut self, block: &Block) {
-        self.modal.feed = block.feed.or(self.modal.feed);
         self.modal.called_tool = block.tool.map(|tool| tool as u32).or(self.modal.called_tool);
         self.modal.state.speed_rpm = block.speed.unwrap_or(self.modal.state.speed_rpm);
+        self.modal.feed = block.feed.or(self.modal.feed);
+        self.convert_feed();
+    }
+
+    fn feed(&mut self, feed: f64) {
+        self.modal.feed = Some(feed);
+        self.convert_feed();
+    }
+
+    /// The feed in metric units, as far as it is known what it counts.
+    fn convert_feed(&mut self) {
         let is_inch = self.modal.units == Some(LengthUnit::Inch);
         let (length, speed) = if is_inch { (25.4, self.table.inch_feed_mm) } else { (1.0, 1.0) };
         self.modal.state.feed = self.modal.feed.zip(self.modal.feed_mode).map(|(feed, mode)| match mode {

@@ -1,10 +1,10 @@
 //! Axis words: where the axes go, and on which way.
 
 use super::Control;
-use super::block::{AxisWord, Block};
+use super::block::{AxisWord, Block, Code};
 use super::mistake::Mistake;
 use crate::coordinates::AxisOffset;
-use crate::dialect::meaning::{CentreMode, MotionCode, Once, Plane, Switch, Wrap};
+use crate::dialect::meaning::{CentreMode, Meaning, MotionCode, Once, Plane, Switch, Wrap};
 use crate::dialect::table::FormMeaning;
 use crate::machine::{Axis, Motion as AxisMotion, Travel, Written};
 use crate::motion::{Arc, Item, Law, Motion, Move, What};
@@ -79,6 +79,44 @@ impl Control<'_> {
         out.push(Item { line, state, what });
     }
 
+    /// Whether a plain block can only move the axes straight to where its words say.
+    pub(super) fn goes_straight(&self) -> bool {
+        let motion = match self.block.codes.first() {
+            Some(Code { meaning: Meaning::Motion(code), .. }) => Some(*code),
+            _ => self.modal.motion,
+        };
+        let is_straight = matches!(motion, Some(MotionCode::Rapid | MotionCode::Line));
+        is_straight && !self.is_incremental() && self.refuse_what_is_not_followed().is_ok()
+    }
+
+    /// Does what such a block says, which cannot go wrong.
+    pub(super) fn go_straight(&mut self, line: u64, out: &mut Motion) {
+        if let Some(code) = self.block.codes.first() {
+            self.modal.take(code.meaning, None);
+        }
+        if let Some(feed) = self.block.feed {
+            self.feed(feed);
+            self.is_state_told = false;
+        }
+        if self.block.axes.is_empty() {
+            return;
+        }
+        let mut named = 0;
+        for index in 0..self.block.axes.len() {
+            let word = self.block.axes[index];
+            self.joints[word.axis] = self.programmed(&word);
+            named |= 1 << word.axis;
+        }
+        self.known |= named;
+        let law = if self.modal.motion == Some(MotionCode::Rapid) { Law::Rapid } else { Law::Line };
+        let joints = out.push_joints(&self.joints);
+        let state = out.last_state().filter(|_| self.is_state_told);
+        let state = state.unwrap_or_else(|| out.push_state(&self.modal.state));
+        self.is_state_told = true;
+        let what = What::Move(Move { law, joints, known: self.known, named, is_machine: false });
+        out.push(Item { line, state, what });
+    }
+
     fn refuse_what_is_not_followed(&self) -> Result<(), Mistake> {
         if self.modal.state.tip {
             return Err(Mistake::NotFollowed("a motion while the tip follows the program"));
@@ -95,7 +133,6 @@ impl Control<'_> {
     /// Where a word sends its axis, in machine coordinates.
     fn target(&self, word: &AxisWord, is_machine: bool) -> Result<f64, Mistake> {
         let value = word.number * self.unit(word);
-        let axis = &self.axes[word.axis];
         let is_known = self.known & 1 << word.axis != 0;
         let is_step = match word.form {
             Some(FormMeaning::Incremental) => true,
@@ -108,16 +145,25 @@ impl Control<'_> {
         if is_machine {
             return Ok(value);
         }
+        Ok(self.programmed(word))
+    }
+
+    /// Where a word sends its axis that counts from the program zero.
+    #[inline]
+    fn programmed(&self, word: &AxisWord) -> f64 {
+        let value = word.number * self.unit(word);
+        let axis = &self.axes[word.axis];
+        let is_known = self.known & 1 << word.axis != 0;
         let length_mm = if self.modal.state.length_register.is_some() { self.tool.length_mm } else { 0.0 };
         let joint = AxisOffset::of(axis).joint(value, length_mm);
         let from = if is_known { self.joints[word.axis] } else { joint };
-        Ok(match (word.form, axis.written) {
-            (Some(FormMeaning::Shortest), _) => from + shortest(joint - from),
-            (Some(FormMeaning::Positive), _) => from + (joint - from).rem_euclid(360.0),
-            (Some(FormMeaning::Negative), _) => from - (from - joint).rem_euclid(360.0),
-            (None, _) if self.goes_the_shortest_way(axis) => from + shortest(joint - from),
+        match word.form {
+            Some(FormMeaning::Shortest) => nearest(joint, from),
+            Some(FormMeaning::Positive) => turned(joint, ((from - joint) / 360.0).ceil()),
+            Some(FormMeaning::Negative) => turned(joint, ((from - joint) / 360.0).floor()),
+            None if self.goes_the_shortest_way(axis) => nearest(joint, from),
             _ => joint,
-        })
+        }
     }
 
     /// Whether the words of an axis are places within a turn, to which it goes the shortest way. Where a block has said so, that
@@ -222,9 +268,16 @@ impl Plane {
     }
 }
 
-/// The same angle within half a turn, in degrees.
-fn shortest(angle_deg: f64) -> f64 {
-    angle_deg - 360.0 * (angle_deg / 360.0).round()
+/// The same angle within half a turn of another one.
+#[inline]
+fn nearest(angle_deg: f64, from_deg: f64) -> f64 {
+    let apart_deg = from_deg - angle_deg;
+    if apart_deg.abs() < 180.0 { angle_deg } else { turned(angle_deg, (apart_deg / 360.0).round()) }
+}
+
+/// The same angle so many turns further; exactly the same without a turn.
+fn turned(angle_deg: f64, turns: f64) -> f64 {
+    angle_deg + 360.0 * turns
 }
 
 /// The centre of an arc of this radius; a negative one is that of the longer arc.

@@ -113,7 +113,7 @@ impl Plain {
     #[inline]
     fn word<'t>(&self, word: &PlainWord, behind: &'t [u8], block: &mut Block, given: &mut u64) -> Option<&'t [u8]> {
         let behind = behind.strip_prefix(word.rest.as_slice())?;
-        let (value, behind) = match usual_decimal(behind) {
+        let (value, behind) = match usual_decimal(behind).or_else(|| last_decimal(behind)) {
             Some(read) => read,
             None => any_decimal(behind, word.pointless)?,
         };
@@ -144,6 +144,18 @@ impl Plain {
         block.codes.push(found.code);
         Some(&behind[digits..])
     }
+}
+
+/// So much is looked at of a usual number and behind it.
+const LAST_BYTES: usize = 12;
+
+/// A usual number with hardly anything behind it.
+#[inline]
+fn last_decimal(text: &[u8]) -> Option<(f64, &[u8])> {
+    let mut padded = [b' '; LAST_BYTES];
+    padded.get_mut(..text.len())?.copy_from_slice(text);
+    let (value, behind) = usual_decimal(&padded)?;
+    Some((value, &text[LAST_BYTES - behind.len()..]))
 }
 
 /// A number that is not of the usual kind.

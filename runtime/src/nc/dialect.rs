@@ -1,6 +1,7 @@
-//! A controller's dialect as tables: words, modal groups, blocks.
+//! A controller's dialect as tables: words, modal groups, blocks, and what their texts mean.
 
 pub use crate::dialect::table::BlockKind;
+use crate::dialect::table::Table;
 use crate::number::Picture;
 use crate::unit::LengthUnit;
 
@@ -213,7 +214,7 @@ pub struct Block {
 }
 
 /// A controller's dialect, resolved for one machine and one unit of length.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Dialect {
     /// The controller's name.
     pub name: String,
@@ -245,6 +246,8 @@ pub struct Dialect {
     pub modal_groups: Vec<Vec<String>>,
     /// At most one block a trigger.
     pub blocks: Vec<Block>,
+    /// What the texts mean, for reading.
+    pub table: Table,
 }
 
 /// Codes that follow from the program's state.

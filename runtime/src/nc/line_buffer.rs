@@ -99,22 +99,24 @@ impl LineBuffer {
     }
 
     /// Ends the line and moves it into the program, with its number or without; one that has nothing in it is not a
-    /// line, and takes no number. (The compiler finds it too large for its place, which every line passes.)
+    /// line, and takes no number. Says whether it is one. (The compiler finds it too large for its place, which every line passes.)
     #[inline(always)]
-    pub(super) fn finish(&mut self, numbered: bool, out: &mut Vec<u8>) {
+    pub(super) fn finish(&mut self, numbered: bool, out: &mut Vec<u8>) -> bool {
         let mut line = &self.bytes[..self.end];
         while line.len() > self.body
             && let [rest @ .., b' '] = line
         {
             line = rest;
         }
-        if line.len() > self.body {
+        let is_line = line.len() > self.body;
+        if is_line {
             out.extend_from_slice(if numbered { line } else { &line[self.body..] });
             out.push(b'\n');
             if numbered {
                 self.count_up();
             }
         }
+        is_line
     }
 
     /// Goes on to the next number.

@@ -122,7 +122,7 @@ impl Writer {
     }
 
     /// Appends the block of a motion to `joints` (machine coordinates in mm and degrees, in the machine's order).
-    /// Nothing is printed when no axis word changes.
+    /// Nothing is printed when no axis word changes. Gives the number of blocks.
     ///
     /// # Errors
     /// When the controller has no such block, or a number does not fit its word; `out` is then as it was.
@@ -132,15 +132,15 @@ impl Writer {
         joints: &[f64],
         tool_length_mm: f64,
         out: &mut Vec<u8>,
-    ) -> Result<(), WriteError> {
+    ) -> Result<u64, WriteError> {
         let Self { dialect, motions, state, .. } = self;
         let feed = state.convert(approach, dialect)?;
         let block = motions.of(approach, state.approaching)?;
         if !state.axes.go_to(joints, tool_length_mm)? {
-            return Ok(());
+            return Ok(0);
         }
         state.approaching = false;
-        let start = out.len();
+        let (start, mut blocks) = (out.len(), 0);
         for line in &block.lines {
             if line.left_out_without.as_ref().is_some_and(|axes| !state.axes.change(axes)) {
                 continue;
@@ -150,9 +150,9 @@ impl Writer {
                 out.truncate(start);
                 return Err(error);
             }
-            state.line.finish(line.numbered, out);
+            blocks += u64::from(state.line.finish(line.numbered, out));
         }
-        Ok(())
+        Ok(blocks)
     }
 }
 

@@ -1,121 +1,173 @@
-//! The second half of a post: what was printed is read back, compared with the CL, and written out.
+//! The second half of a post: what was printed is run on the control's model, compared with the CL, and written out.
 
 use super::job::Job;
+use super::otherwise;
 use super::stretch::{PrintedPoint, Stretch};
-use crate::certificate::{Certificate, Deviation, Way};
+use crate::certificate::{Certificate, Way};
+use crate::cl::Next;
 use crate::compensation::Compensated;
+use crate::control::Control;
 use crate::coordinates::in_machine_frame;
+use crate::diagnostic::Diagnostic;
 use crate::kinematics::{JointBlock, Kinematics, LANES, PoseBlock};
-use crate::readback::ReadBack;
+use crate::motion::Motion;
 use crate::segment::Segments;
 use crate::toolpath::{Approach, Point};
+use crate::verify::comparison::Comparison;
+use crate::verify::pose::{Pose, Solver};
 use std::io::{self, Write};
 
 /// Checks a program as it comes.
 pub(super) struct Checker<'a, K> {
     job: Job<'a>,
-    kinematics: Compensated<'a, K>,
     nc: &'a mut dyn Write,
-    readback: ReadBack,
+    control: Control<'a>,
+    /// What the text of a stretch does, and where the tool is behind each item and before the first one.
+    motion: Motion,
+    poses: Vec<Option<Pose>>,
+    before: Option<Pose>,
+    solver: Solver<'a, K>,
+    comparison: Comparison<'a>,
+    /// Lines of the program so far.
+    lines: u64,
+    agrees: bool,
     certificate: Certificate,
-    segments: Segments<'a>,
-    /// How many blocks each of the points has.
-    blocks: [u64; LANES],
-    /// What the text of a block of points says, and where that takes the tool.
-    joints: JointBlock,
-    poses: PoseBlock,
-    /// Where the CL wants it.
-    wanted: PoseBlock,
+    between: LookBetween<'a, K>,
 }
 
-impl<'a, K: Kinematics> Checker<'a, K> {
+impl<'a, K: Kinematics + Clone> Checker<'a, K> {
     pub(super) fn new(job: Job<'a>, kinematics: K, nc: &'a mut dyn Write) -> Self {
-        let axes = &job.machine.axes;
+        let Job { machine, dialect, .. } = job;
         Self {
             job,
-            kinematics: Compensated::new(kinematics, job.machine),
             nc,
-            readback: ReadBack::new(job.dialect, axes, job.machine.tool().length_mm),
-            certificate: Certificate::new(axes),
-            segments: Segments::new(&job.machine.chain, job.machine.tool()),
-            blocks: [0; LANES],
-            joints: vec![[0.0; LANES]; axes.len()],
-            poses: PoseBlock::ZERO,
-            wanted: PoseBlock::ZERO,
+            control: Control::new(&dialect.table, &machine.axes, machine.tool()),
+            motion: Motion::new(machine.axes.len()),
+            poses: Vec::new(),
+            before: None,
+            solver: Solver::new(machine, kinematics.clone()),
+            comparison: Comparison::of_post(job.file, machine, dialect),
+            lines: 0,
+            agrees: true,
+            certificate: Certificate::new(&machine.axes),
+            between: LookBetween::new(job, kinematics),
         }
     }
 
-    /// Reads a stretch back, compares where it takes the tool with where the CL wants it, and writes it out.
-    pub(super) fn check(&mut self, stretch: &Stretch) -> io::Result<()> {
-        let joints = stretch.joints.chunks(LANES * self.joints.len());
-        for (printed, joints) in stretch.printed.chunks(LANES).zip(joints) {
-            self.watch(printed, joints, &stretch.points);
-            self.read(printed, stretch);
-            self.compare(printed, &stretch.points);
-            self.look_between(printed, joints, &stretch.points);
+    /// Runs the text of a stretch, compares what it does with what the CL wants, and writes it out. Nothing is compared once
+    /// something of the CL could not be printed: that program is worth nothing.
+    pub(super) fn check(&mut self, stretch: &Stretch, tell: &mut dyn FnMut(Diagnostic)) -> io::Result<()> {
+        if stretch.is_refused {
+            return Ok(());
         }
+        self.want(stretch);
+        self.run(stretch);
+        self.solver.poses(&self.motion, self.before, &mut self.poses);
+        self.before = self.poses.last().copied().unwrap_or(self.before);
+        self.comparison.compare(&self.motion, &self.poses)?;
+        self.tell(tell);
+        self.watch(stretch);
+        self.between.look(stretch, &mut self.certificate);
         self.nc.write_all(&stretch.text)
     }
 
-    /// What was found, after the last stretch.
-    pub(super) fn finish(self) -> io::Result<Certificate> {
+    /// What was found, after the last stretch; `None` where the program does something else than the CL wants.
+    pub(super) fn finish(mut self, tell: &mut dyn FnMut(Diagnostic)) -> io::Result<Option<Certificate>> {
         self.nc.flush()?;
-        Ok(self.certificate)
+        self.comparison.finish(self.lines)?;
+        self.tell(tell);
+        let agreement = self.comparison.agreement();
+        self.certificate.points = agreement.points;
+        self.certificate.worst = agreement.worst;
+        Ok(self.agrees.then_some(self.certificate))
+    }
+
+    fn want(&mut self, stretch: &Stretch) {
+        let wanted = self.comparison.want();
+        for (points, next) in &stretch.blocks {
+            wanted.points(&stretch.points[points.clone()]);
+            if let Next::Command(command, place) = next {
+                wanted.command(command, place.line);
+            }
+        }
+    }
+
+    fn run(&mut self, stretch: &Stretch) {
+        self.motion.clear();
+        let text = std::str::from_utf8(&stretch.text).expect("a writer prints characters");
+        let mut start = 0;
+        for end in memchr::memchr_iter(b'\n', text.as_bytes()) {
+            let line = &text[start..end];
+            start = end + 1;
+            self.lines += 1;
+            if let Err((mistake, _)) = self.control.run(line, self.lines, &mut self.motion) {
+                panic!("a control must understand what is printed, but in line {}: {mistake}\n{line}", self.lines);
+            }
+        }
+    }
+
+    fn tell(&mut self, tell: &mut dyn FnMut(Diagnostic)) {
+        for found in self.comparison.found() {
+            self.agrees = false;
+            tell(otherwise::error(self.job, found));
+        }
     }
 
     /// Notes where the axes go and how far the rotaries turn.
-    fn watch(&mut self, printed: &[PrintedPoint], joints: &[f64], points: &[Point]) {
-        for (printed, joints) in printed.iter().zip(joints.chunks(self.joints.len())) {
-            let line = points[printed.point].line;
+    fn watch(&mut self, stretch: &Stretch) {
+        let axes = self.job.machine.axes.len();
+        for (printed, joints) in stretch.printed.iter().zip(stretch.joints.chunks(axes)) {
+            let line = stretch.points[printed.point].line;
+            self.certificate.blocks += printed.blocks;
             self.certificate.visit(line, joints);
             if let Some(step_deg) = printed.rotary_step_deg {
                 self.certificate.step(line, step_deg);
             }
         }
     }
+}
 
-    /// Reads the text of up to [`LANES`] points.
-    fn read(&mut self, printed: &[PrintedPoint], stretch: &Stretch) {
-        for (lane, printed) in printed.iter().enumerate() {
-            let motion = printed.text.clone();
-            let read = self.readback.read(&stretch.text, motion.clone());
-            let (blocks, joints) = read.unwrap_or_else(|error| {
-                let line = stretch.points[printed.point].line;
-                let text = String::from_utf8_lossy(&stretch.text[motion]);
-                panic!("the text printed for CL line {line} must read back, but: {error}\n{text}")
-            });
-            self.certificate.blocks += blocks;
-            self.blocks[lane] = blocks;
-            for (joint, value) in self.joints.iter_mut().zip(joints) {
-                joint[lane] = *value;
-            }
+/// Looks at the ways to the points from those before them, which the solver's joints know: a word within a turn does not say
+/// how the axis gets there. Several blocks are an approach, which has a way of its own.
+struct LookBetween<'a, K> {
+    job: Job<'a>,
+    kinematics: Compensated<'a, K>,
+    segments: Segments<'a>,
+    joints: JointBlock,
+    poses: PoseBlock,
+    wanted: PoseBlock,
+}
+
+impl<'a, K: Kinematics> LookBetween<'a, K> {
+    fn new(job: Job<'a>, kinematics: K) -> Self {
+        let machine = job.machine;
+        Self {
+            job,
+            kinematics: Compensated::new(kinematics, machine),
+            segments: Segments::new(&machine.chain, machine.tool()),
+            joints: vec![[0.0; LANES]; machine.axes.len()],
+            poses: PoseBlock::ZERO,
+            wanted: PoseBlock::ZERO,
         }
     }
 
-    /// Compares where the text takes the tool with where the CL wants it.
-    fn compare(&mut self, printed: &[PrintedPoint], points: &[Point]) {
-        let Self { job: Job { machine, .. }, kinematics, certificate, joints, poses, wanted, .. } = self;
-        kinematics.forward(joints, machine.tool(), poses);
+    fn look(&mut self, stretch: &Stretch, certificate: &mut Certificate) {
+        let joints = stretch.joints.chunks(LANES * self.joints.len());
+        for (printed, joints) in stretch.printed.chunks(LANES).zip(joints) {
+            self.look_at(printed, joints, &stretch.points, certificate);
+        }
+    }
+
+    fn look_at(&mut self, printed: &[PrintedPoint], solved: &[f64], points: &[Point], certificate: &mut Certificate) {
+        let Self { job: Job { machine, .. }, kinematics, segments, joints, poses, wanted } = self;
         for (lane, printed) in printed.iter().enumerate() {
             let Point { tip_mm, axis, .. } = points[printed.point];
             wanted.set(lane, in_machine_frame(machine, tip_mm), axis);
         }
-        let deviations = deviations(wanted, poses);
-        for (printed, deviation) in printed.iter().zip(deviations) {
-            certificate.compare(points[printed.point].line, deviation);
-        }
-    }
-
-    /// Looks at the ways to the points from those before them, which the solver's joints know: a word within a turn does not
-    /// say how the axis gets there. Several blocks are an approach, which has a way of its own.
-    fn look_between(&mut self, printed: &[PrintedPoint], solved: &[f64], points: &[Point]) {
-        let Self { job: Job { machine, .. }, kinematics, segments, certificate, blocks, joints, poses, wanted, .. } =
-            self;
         segments.go_to(solved, &wanted.tip_mm);
         segments.half_way(joints);
         kinematics.forward(joints, machine.tool(), poses);
-        for (lane, printed) in
-            printed.iter().enumerate().filter(|(lane, printed)| printed.is_next && blocks[*lane] == 1)
+        for (lane, printed) in printed.iter().enumerate().filter(|(_, printed)| printed.is_next && printed.blocks == 1)
         {
             let Point { approach, line, .. } = points[printed.point];
             let is_cut = matches!(approach, Approach::Feed(_));
@@ -123,10 +175,4 @@ impl<'a, K: Kinematics> Checker<'a, K> {
             certificate.between.meet(way, machine.chord_tolerance_mm, || segments.deviation_mm(lane, poses.tip(lane)));
         }
     }
-}
-
-/// In a loop of its own, which the processor's vector registers do.
-fn deviations(wanted: &PoseBlock, found: &PoseBlock) -> [Deviation; LANES] {
-    let pose = |block: &PoseBlock, lane: usize| [block.tip(lane), block.axis(lane)];
-    std::array::from_fn(|lane| Deviation::new(pose(wanted, lane), pose(found, lane)))
 }

@@ -26,13 +26,13 @@ struct Interrupted {
 
 impl InForce {
     /// Puts a command in force, and says what prints it: nothing for the tool that is in the spindle already.
-    pub(super) fn take(&mut self, command: Command) -> Option<Trigger> {
-        if !self.state.take(&command) {
+    pub(super) fn take(&mut self, command: &Command) -> Option<Trigger> {
+        if !self.state.take(command) {
             return None;
         }
-        Some(match command {
-            Command::Operation { name, tool } => {
-                (self.operation, self.tool_name) = (name, tool);
+        Some(match *command {
+            Command::Operation { ref name, ref tool } => {
+                (self.operation, self.tool_name) = (name.clone(), tool.clone());
                 Trigger::Operation
             }
             Command::Tool { .. } => Trigger::Tool,
@@ -54,8 +54,8 @@ impl InForce {
                 self.dwell_s = dwell_s;
                 Trigger::Dwell
             }
-            Command::Message(text) => {
-                self.text = text;
+            Command::Message(ref text) => {
+                self.text.clone_from(text);
                 Trigger::Message
             }
         })

@@ -55,22 +55,28 @@ impl<'a> Printer<'a> {
         if !mem::replace(&mut self.has_begun, true) {
             self.command(Trigger::Start, None, stretch);
         }
-        for (points, next) in mem::take(&mut stretch.blocks) {
-            self.points(points, stretch);
+        let blocks = mem::take(&mut stretch.blocks);
+        for (points, next) in &blocks {
+            self.points(points.clone(), stretch);
             match next {
                 Next::Full => {}
-                Next::From(point) => self.stand_at(&point, stretch),
+                Next::From(point) => self.stand_at(point, stretch),
                 Next::Command(command, place) => self.carry_out(command, place, stretch),
-                Next::Diagnostic(diagnostic) => self.tell(diagnostic, stretch),
-                Next::End => return self.command(Trigger::End, None, stretch),
+                Next::Diagnostic(diagnostic) => self.tell(diagnostic.clone(), stretch),
+                Next::End => {
+                    self.command(Trigger::End, None, stretch);
+                    break;
+                }
             }
             if self.errors >= MOST_ERRORS {
                 let message = format!("{} has more errors than are worth telling", self.job.file);
                 stretch.diagnostics.push(Diagnostic::error(&TOO_MANY_ERRORS, message));
                 stretch.is_last = true;
-                return;
+                break;
             }
         }
+        stretch.blocks = blocks;
+        stretch.is_refused = self.errors > 0;
     }
 
     /// A block may have more mistakes than are told.
@@ -102,9 +108,14 @@ impl<'a> Printer<'a> {
                     diagnostics.push(refusal::of_step(*job, solved, chosen));
                 }
                 match print(*job, in_force, writer, solved.point, &chosen.joints, text) {
-                    Ok((text, is_next)) => {
+                    Ok((blocks, is_next)) => {
                         let rotary_step_deg = rotary_step_deg(solved, chosen);
-                        printed.push(PrintedPoint { point: block.start + solved.lane, text, rotary_step_deg, is_next });
+                        printed.push(PrintedPoint {
+                            point: block.start + solved.lane,
+                            blocks,
+                            rotary_step_deg,
+                            is_next,
+                        });
                         joints.extend_from_slice(&chosen.joints);
                     }
                     Err(error) => diagnostics.push(at_line(&error, job.file, solved.point.line)),
@@ -142,20 +153,20 @@ impl<'a> Printer<'a> {
         }
     }
 
-    fn carry_out(&mut self, command: Command, place: Place, stretch: &mut Stretch) {
+    fn carry_out(&mut self, command: &Command, place: &Place, stretch: &mut Stretch) {
         if let Some(trigger) = self.in_force.take(command) {
             self.command(trigger, Some(place), stretch);
         }
     }
 
-    fn command(&mut self, trigger: Trigger, place: Option<Place>, stretch: &mut Stretch) {
+    fn command(&mut self, trigger: Trigger, place: Option<&Place>, stretch: &mut Stretch) {
         let values = self.in_force.values(self.job);
         let printed = self.writer.command(trigger, &values, &mut stretch.text);
         self.in_force.interrupt(self.writer.switches_off(trigger));
         if let Err(error) = printed {
             let diagnostic = error.diagnostic();
             let diagnostic = match place {
-                Some(place) => diagnostic.at(place, ""),
+                Some(place) => diagnostic.at(place.clone(), ""),
                 None => diagnostic,
             };
             self.tell(diagnostic, stretch);
@@ -163,8 +174,8 @@ impl<'a> Printer<'a> {
     }
 }
 
-/// Prints a point; before a cut, what a block has switched off and the CL has not is switched on again. Says where the motion
-/// is in the text, and whether it goes on from the point before.
+/// Prints a point; before a cut, what a block has switched off and the CL has not is switched on again. Says how many
+/// blocks the motion has, and whether it goes on from the point before.
 fn print(
     job: Job<'_>,
     in_force: &mut InForce,
@@ -172,15 +183,15 @@ fn print(
     point: &Point,
     joints: &[f64],
     text: &mut Vec<u8>,
-) -> Result<(Range<usize>, bool), WriteError> {
+) -> Result<(u64, bool), WriteError> {
     while is_cut(point)
         && let Some(trigger) = in_force.resume()
     {
         writer.command(trigger, &in_force.values(job), text)?;
     }
-    let (start, is_next) = (text.len(), writer.knows_position());
-    writer.motion(point.approach, joints, job.machine.tool().length_mm, text)?;
-    Ok((start..text.len(), is_next))
+    let is_next = writer.knows_position();
+    let blocks = writer.motion(point.approach, joints, job.machine.tool().length_mm, text)?;
+    Ok((blocks, is_next))
 }
 
 fn is_cut(point: &Point) -> bool {

@@ -27,6 +27,8 @@ pub(super) struct Stretch {
     pub(super) printed: Vec<PrintedPoint>,
     /// The joints of each printed point, one point after the other: millimetres or degrees, machine coordinates.
     pub(super) joints: Vec<f64>,
+    /// Whether something of the CL could not be printed, here or before.
+    pub(super) is_refused: bool,
     /// What is to be told.
     pub(super) diagnostics: Vec<Diagnostic>,
 }
@@ -36,8 +38,8 @@ pub(super) struct Stretch {
 pub(super) struct PrintedPoint {
     /// Its index in the stretch.
     pub(super) point: usize,
-    /// Its blocks in the text; empty where no word changed.
-    pub(super) text: Range<usize>,
+    /// So many blocks lead there; none where no word changed.
+    pub(super) blocks: u64,
     /// The rotary motion there in degrees, summed, where it is a motion at feed from another point.
     pub(super) rotary_step_deg: Option<f64>,
     /// Whether the program goes there from the point before, with nothing between that moves an axis.

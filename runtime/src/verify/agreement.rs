@@ -1,7 +1,7 @@
 //! What a comparison has found, in numbers.
 
 use super::pose::Pose;
-use crate::certificate::Extreme;
+use crate::certificate::Worst;
 use std::fmt;
 
 /// What a comparison has found.
@@ -9,10 +9,8 @@ use std::fmt;
 pub struct Agreement {
     /// Points of the CL that the program reaches.
     pub points: u64,
-    /// The largest distance of the tip from the CL's point, in millimetres, at the line of the program.
-    pub tip_mm: Extreme,
-    /// The largest angle of the tool axis from the CL's, in radians.
-    pub axis_rad: Extreme,
+    /// How far the tool is from them at most, at the line of the program.
+    pub worst: Worst,
     /// Blocks that the CL did not ask for: to the way out and the reference point.
     pub retracts: u64,
     /// Blocks that the CL did not ask for: on the way to the first point behind a retract or a tool change.
@@ -24,16 +22,14 @@ pub struct Agreement {
 impl Agreement {
     /// A point of the CL is reached.
     pub(super) fn reach(&mut self, pose: Pose, there: Pose, line: u64) {
-        let (tip_mm, axis_rad) = pose.apart(there);
         self.points += 1;
-        self.tip_mm.meet(tip_mm, line);
-        self.axis_rad.meet(axis_rad, line);
+        self.worst.meet(pose.deviation(there), line);
     }
 }
 
 impl fmt::Display for Agreement {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { points, tip_mm, axis_rad, retracts, approaches, differences } = self;
+        let Self { points, worst: Worst { tip_mm, axis_rad }, retracts, approaches, differences } = self;
         writeln!(f, "against the CL: {differences} differences")?;
         writeln!(
             f,

@@ -11,7 +11,7 @@ use super::words::{self, PointReached};
 use crate::cl::Reader;
 use crate::diagnostic::Diagnostic;
 use crate::dialect::meaning::{Side, Spindle};
-use crate::dialect::table::Table;
+use crate::kinematics::Kinematics;
 use crate::machine::Machine;
 use crate::motion::{Event, Item, Law, Motion, Move, State, What};
 use crate::nc::dialect::Dialect;
@@ -24,11 +24,14 @@ const MOST_DIFFERENCES: u64 = 20;
 pub struct Comparison<'a> {
     cl: String,
     stream: WantedStream<'a>,
+    /// Whether the program has just been made of the CL: then the CL's lines are of interest, not its own.
+    is_of_post: bool,
     habit: Habit,
     tolerance: Tolerance<'a>,
     judgement: Judgement,
-    /// Where the tool is.
+    /// Where the tool is, and the line that took it there.
     at: Option<Pose>,
+    last_line: u64,
     /// Whether blocks may lead to the next point that the CL does not know.
     may_approach: bool,
     /// Whether blocks of the approach so far are rapid, or at feed.
@@ -46,10 +49,10 @@ pub struct Comparison<'a> {
 }
 
 /// A difference, at a line of the program and perhaps one of the CL.
-struct FoundAt {
-    found: Found,
-    line: u64,
-    cl_line: Option<u64>,
+pub(crate) struct FoundAt {
+    pub(crate) found: Found,
+    pub(crate) line: u64,
+    pub(crate) cl_line: Option<u64>,
 }
 
 /// A move and where it leads.
@@ -74,17 +77,17 @@ impl Gone<'_> {
 
 impl<'a> Comparison<'a> {
     /// With a CL that the user calls `cl`.
-    pub fn new(
-        cl: &str,
-        reader: Reader<Box<dyn Read + 'a>>,
-        machine: &'a Machine,
-        dialect: &Dialect,
-        table: &Table,
-    ) -> Self {
+    pub fn new(cl: &str, reader: Reader<Box<dyn Read + 'a>>, machine: &'a Machine, dialect: &Dialect) -> Self {
+        Self::with(cl, WantedStream::new(reader, machine), machine, dialect)
+    }
+
+    fn with(cl: &str, stream: WantedStream<'a>, machine: &'a Machine, dialect: &Dialect) -> Self {
         Self {
             cl: cl.to_owned(),
-            stream: WantedStream::new(reader, machine),
-            habit: Habit::of(machine, dialect, table),
+            is_of_post: stream.is_in_pieces(),
+            stream,
+            last_line: 0,
+            habit: Habit::of(machine, dialect),
             tolerance: Tolerance::of(machine, dialect),
             judgement: Judgement::new(),
             at: None,
@@ -99,36 +102,32 @@ impl<'a> Comparison<'a> {
         }
     }
 
+    /// With a CL that is at hand piece by piece: see [`Self::want`].
+    pub(crate) fn of_post(cl: &str, machine: &'a Machine, dialect: &Dialect) -> Self {
+        Self::with(cl, WantedStream::in_pieces(machine), machine, dialect)
+    }
+
+    /// What the CL wants next.
+    pub(crate) fn want(&mut self) -> &mut WantedStream<'a> {
+        &mut self.stream
+    }
+
     /// Takes items that leave the tool at these poses, as far as they are known.
-    pub(super) fn take(
-        &mut self,
-        motion: &Motion,
-        poses: &[Option<Pose>],
-        solver: &mut Solver<'_>,
-        file: &str,
-        tell: &mut dyn FnMut(Diagnostic),
-    ) -> io::Result<()> {
-        for (item, pose) in motion.items().iter().zip(poses) {
-            self.item(item, motion, *pose)?;
-        }
+    pub(crate) fn compare(&mut self, motion: &Motion, poses: &[Option<Pose>]) -> io::Result<()> {
+        self.reached.clear();
+        motion.items().iter().zip(poses).try_for_each(|(item, pose)| self.item(item, motion, *pose))
+    }
+
+    /// Judges the words of the points that were reached by the last items.
+    pub(super) fn judge_words<K: Kinematics>(&mut self, motion: &Motion, solver: &mut Solver<'_, K>) {
         let Self { reached, tolerance, found, .. } = self;
         words::judge(reached, motion, solver, tolerance, &mut |it, point| {
             found.push(FoundAt { found: it, line: point.line, cl_line: Some(point.cl_line) });
         });
-        reached.clear();
-        self.tell_all(file, tell);
-        Ok(())
     }
 
     /// The program is over, with this line.
-    ///
-    /// # Errors
-    /// When the CL cannot be read.
-    pub(super) fn finish(
-        mut self,
-        (file, line): (&str, u64),
-        tell: &mut dyn FnMut(Diagnostic),
-    ) -> io::Result<Agreement> {
+    pub(crate) fn finish(&mut self, line: u64) -> io::Result<()> {
         self.pass_points_at_rest()?;
         if let Some(wanted) = self.stream.peek()? {
             self.differ(Difference::Elsewhere, "the program is over before the CL is", line, Some(wanted.line));
@@ -136,9 +135,13 @@ impl<'a> Comparison<'a> {
         if self.habit.ends && !self.has_ended {
             self.differ(Difference::Order, "nothing says that the program is over", line, None);
         }
-        self.tell_all(file, tell);
-        self.agreement.differences += u64::from(self.stream.has_errors);
-        Ok(self.agreement)
+        Ok(())
+    }
+
+    /// What has been found so far.
+    pub(crate) fn agreement(&self) -> Agreement {
+        let differences = self.agreement.differences + u64::from(self.stream.has_errors);
+        Agreement { differences, ..self.agreement }
     }
 
     fn item(&mut self, item: &Item, motion: &Motion, pose: Option<Pose>) -> io::Result<()> {
@@ -187,19 +190,18 @@ impl<'a> Comparison<'a> {
             let wanted = self.stream.peek()?;
             match wanted.map(|wanted| (wanted.line, wanted.what)) {
                 Some((cl_line, WantedWhat::Point { pose: there, is_cut, state })) => {
-                    if self.tolerance.agrees(pose, there, gone.joints()) {
+                    let is_at_rest = || self.at.is_some_and(|at| self.tolerance.agrees(at, there, gone.joints()));
+                    if (is_cut == gone.cuts() || !is_at_rest()) && self.tolerance.agrees(pose, there, gone.joints()) {
+                        let wanted = self.stream.state(state);
                         self.stream.pass(1);
                         self.reach(&gone, there, cl_line);
-                        let reached = Reached { is_cut, cuts: gone.cuts(), wanted: state, state: *gone.state };
-                        self.judge(&reached, line, cl_line);
+                        self.judge(&Reached { is_cut, cuts: gone.cuts(), wanted, state: *gone.state }, line, cl_line);
                         return Ok(());
                     }
-                    let is_at_rest = self.at.is_some_and(|at| self.tolerance.agrees(at, there, gone.joints()));
-                    if !is_at_rest && !self.is_on_arc(&gone, there) {
+                    if !is_at_rest() && !self.is_on_arc(&gone, there) {
                         return self.unasked(&gone);
                     }
-                    self.agreement.points += 1;
-                    self.stream.pass(1);
+                    self.pass_at_rest(there, cl_line);
                 }
                 Some((cl_line, WantedWhat::Event(event))) => {
                     if self.at.is_some_and(|at| self.tolerance.agrees(pose, at, gone.joints())) {
@@ -258,8 +260,9 @@ impl<'a> Comparison<'a> {
             self.differ(Difference::WayOut, message, at, Some(cl_line));
         }
         self.reached.push(PointReached { joints: it.joints, wanted: there, line, cl_line });
-        self.agreement.reach(pose, there, line);
+        self.agreement.reach(pose, there, self.line_of(line, cl_line));
         self.at = Some(pose);
+        self.last_line = line;
         if self.may_approach {
             self.may_approach = false;
             self.way_out.fill(None);
@@ -292,13 +295,25 @@ impl<'a> Comparison<'a> {
 
     /// Points at which the tool already is need no block.
     fn pass_points_at_rest(&mut self) -> io::Result<()> {
-        while let Some(Wanted { what: WantedWhat::Point { pose: there, .. }, .. }) = self.stream.peek()?
+        while let Some(Wanted { what: WantedWhat::Point { pose: there, .. }, line }) = self.stream.peek()?
             && self.at.is_some_and(|at| self.tolerance.is_same(at, there))
         {
-            self.agreement.points += 1;
-            self.stream.pass(1);
+            self.pass_at_rest(there, line);
         }
         Ok(())
+    }
+
+    fn pass_at_rest(&mut self, there: Pose, cl_line: u64) {
+        match self.at {
+            Some(at) => self.agreement.reach(at, there, self.line_of(self.last_line, cl_line)),
+            None => self.agreement.points += 1,
+        }
+        self.stream.pass(1);
+    }
+
+    /// The line that the largest errors are at.
+    fn line_of(&self, line: u64, cl_line: u64) -> u64 {
+        if self.is_of_post { cl_line } else { line }
     }
 
     fn event(&mut self, event: Event, state: &State, line: u64) -> io::Result<()> {
@@ -347,16 +362,20 @@ impl<'a> Comparison<'a> {
         self.found.push(FoundAt { found: (difference, message.into()), line, cl_line });
     }
 
-    /// Tells what was found, in the order of the program.
-    fn tell_all(&mut self, file: &str, tell: &mut dyn FnMut(Diagnostic)) {
+    /// Tells what was found in the program that the user calls `file`, in its order.
+    pub(super) fn tell(&mut self, file: &str, tell: &mut dyn FnMut(Diagnostic)) {
         self.stream.diagnostics.drain(..).for_each(&mut *tell);
-        self.found.sort_by_key(|found| found.line);
-        for FoundAt { found: (difference, message), line, cl_line } in self.found.drain(..) {
-            self.agreement.differences += 1;
-            if self.agreement.differences <= MOST_DIFFERENCES {
-                tell(difference.diagnostic(message, (file, line), cl_line.map(|line| (self.cl.as_str(), line))));
-            }
+        for FoundAt { found: (difference, message), line, cl_line } in self.found() {
+            tell(difference.diagnostic(message, (file, line), cl_line.map(|line| (self.cl.as_str(), line))));
         }
+    }
+
+    /// What was found in the last items, in the order of the program, as far as it is worth telling.
+    pub(crate) fn found(&mut self) -> Vec<FoundAt> {
+        let worth = MOST_DIFFERENCES.saturating_sub(self.agreement.differences);
+        self.agreement.differences += self.found.len() as u64;
+        self.found.sort_by_key(|found| found.line);
+        std::mem::take(&mut self.found).into_iter().take(worth as usize).collect()
     }
 }
 

@@ -2,7 +2,6 @@
 
 use crate::control::Control;
 use crate::dialect::meaning::Spindle;
-use crate::dialect::table::Table;
 use crate::machine::{Axis, Machine, Motion as AxisMotion};
 use crate::motion::{Event, Item, Motion, State, What};
 use crate::nc::dialect::{Dialect, Trigger};
@@ -31,8 +30,8 @@ pub(super) struct Habit {
 }
 
 impl Habit {
-    pub(super) fn of(machine: &Machine, dialect: &Dialect, table: &Table) -> Self {
-        let items = program(machine, dialect, table);
+    pub(super) fn of(machine: &Machine, dialect: &Dialect) -> Self {
+        let items = program(machine, dialect);
         let change = items.0.iter().position(|item| matches!(item.what, What::Event(Event::ToolChange(_))));
         let (items, motion) = items;
         let change = change.unwrap_or(0);
@@ -69,7 +68,7 @@ fn way_out(items: &[Item], motion: &Motion) -> Vec<Option<f64>> {
 }
 
 /// The motion of a program of a tool change, a point and an end.
-fn program(machine: &Machine, dialect: &Dialect, table: &Table) -> (Vec<Item>, Motion) {
+fn program(machine: &Machine, dialect: &Dialect) -> (Vec<Item>, Motion) {
     let mut writer = Writer::new(dialect.clone(), &machine.axes);
     let loaded = LoadedTool { number: TOOL, register: TOOL };
     let values = Values { program: "P", tool: Some(loaded), speed_rpm: 100.0, dwell_s: 1.0, ..Values::default() };
@@ -81,7 +80,7 @@ fn program(machine: &Machine, dialect: &Dialect, table: &Table) -> (Vec<Item>, M
     let joints: Vec<f64> = machine.axes.iter().map(middle).collect();
     let _ = writer.motion(Approach::Rapid, &joints, machine.tool().length_mm, &mut text);
     let _ = writer.command(Trigger::End, &values, &mut text);
-    let mut control = Control::new(table, &machine.axes, machine.tool());
+    let mut control = Control::new(&dialect.table, &machine.axes, machine.tool());
     let mut motion = Motion::new(machine.axes.len());
     for (number, line) in String::from_utf8_lossy(&text).lines().enumerate() {
         let _ = control.run(line, number as u64 + 1, &mut motion);

@@ -4,7 +4,7 @@ use crate::diagnostic::{Code, Diagnostic, Place};
 
 /// A kind of difference.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Difference {
+pub(crate) enum Difference {
     Elsewhere,
     Kind,
     Feed,
@@ -17,7 +17,7 @@ pub(super) enum Difference {
 }
 
 /// A difference, and how it is told.
-pub(super) type Found = (Difference, String);
+pub(crate) type Found = (Difference, String);
 
 static ELSEWHERE: Code = Code {
     id: "E1210",
@@ -96,7 +96,8 @@ impl Difference {
         !matches!(self, Self::Feed | Self::Spindle | Self::Coolant)
     }
 
-    fn code(self) -> &'static Code {
+    /// Its code.
+    pub(crate) fn code(self) -> &'static Code {
         match self {
             Self::Elsewhere => &ELSEWHERE,
             Self::Kind => &KIND,

@@ -4,11 +4,11 @@
 //! (`comparison`): point by point, event by event, in order. And it can be written as CL (`reverse`).
 
 mod agreement;
-mod comparison;
+pub(crate) mod comparison;
 mod habit;
 mod judgement;
 mod mismatch;
-mod pose;
+pub(crate) mod pose;
 mod reverse;
 mod survey;
 mod suspicion;
@@ -39,7 +39,7 @@ use std::io;
 pub struct Verifier<'m> {
     file: String,
     control: Control<'m>,
-    solver: Solver<'m>,
+    solver: Solver<'m, &'m mut dyn Kinematics>,
     comparison: Option<Comparison<'m>>,
     reverse: Option<ReverseCl<'m>>,
     survey: Survey,
@@ -124,7 +124,9 @@ impl<'m> Verifier<'m> {
         solver.poses(motion, *before, poses);
         survey.take(motion, poses, *before);
         if let Some(comparison) = comparison {
-            comparison.take(motion, poses, solver, file, tell)?;
+            comparison.compare(motion, poses)?;
+            comparison.judge_words(motion, solver);
+            comparison.tell(file, tell);
         }
         if let Some(reverse) = reverse {
             motion.items().iter().zip(&*poses).try_for_each(|(item, pose)| reverse.take(item, motion, *pose))?;
@@ -145,8 +147,19 @@ impl<'m> Verifier<'m> {
         }
         self.reverse.map(ReverseCl::end).transpose()?;
         let end = (self.file.as_str(), self.last_line);
-        let agreement = self.comparison.map(|comparison| comparison.finish(end, tell)).transpose()?;
+        let agreement = self.comparison.map(|comparison| against(comparison, end, tell)).transpose()?;
         self.survey.suspicions(&self.file).into_iter().for_each(tell);
         Ok((self.survey, agreement))
     }
+}
+
+/// The end of a comparison with a CL.
+fn against(
+    mut comparison: Comparison<'_>,
+    (file, line): (&str, u64),
+    tell: &mut dyn FnMut(Diagnostic),
+) -> io::Result<Agreement> {
+    comparison.finish(line)?;
+    comparison.tell(file, tell);
+    Ok(comparison.agreement())
 }

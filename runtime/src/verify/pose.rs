@@ -1,5 +1,6 @@
 //! Where joints take the tool.
 
+use crate::certificate::Deviation;
 use crate::compensation::Compensated;
 use crate::kinematics::{JointBlock, Kinematics, LANES, Lane, Outcome, PoseBlock, SolutionBlock, Tolerances};
 use crate::machine::{Axis, Machine, Motion as AxisMotion, Rule};
@@ -8,14 +9,20 @@ use crate::vector::{Vec3, angle_rad, norm, sub};
 
 /// Tip in millimetres and unit tool axis, in the machine frame with every axis at zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Pose {
+pub(crate) struct Pose {
     /// The tip.
-    pub(super) tip_mm: Vec3,
+    pub(crate) tip_mm: Vec3,
     /// The tool axis.
-    pub(super) axis: Vec3,
+    pub(crate) axis: Vec3,
 }
 
 impl Pose {
+    /// How far it is from the wanted one.
+    #[inline]
+    pub(super) fn deviation(self, wanted: Self) -> Deviation {
+        Deviation::new([wanted.tip_mm, wanted.axis], [self.tip_mm, self.axis])
+    }
+
     /// The distance of the tips in millimetres, and the angle of the axes in radians.
     pub(super) fn apart(self, other: Self) -> (f64, f64) {
         (norm(sub(self.tip_mm, other.tip_mm)), angle_rad(self.axis, other.axis))
@@ -23,17 +30,17 @@ impl Pose {
 }
 
 /// The machine both ways, pose by pose.
-pub(super) struct Solver<'m> {
+pub(crate) struct Solver<'m, K> {
     machine: &'m Machine,
-    kinematics: Compensated<'m, &'m mut dyn Kinematics>,
+    kinematics: Compensated<'m, K>,
     joints: JointBlock,
     poses: PoseBlock,
     solutions: SolutionBlock,
 }
 
-impl<'m> Solver<'m> {
-    pub(super) fn new(machine: &'m Machine, kinematics: &'m mut dyn Kinematics) -> Self {
-        let solutions = SolutionBlock::of(kinematics);
+impl<'m, K: Kinematics> Solver<'m, K> {
+    pub(crate) fn new(machine: &'m Machine, kinematics: K) -> Self {
+        let solutions = SolutionBlock::of(&kinematics);
         Self {
             machine,
             kinematics: Compensated::new(kinematics, machine),
@@ -44,7 +51,7 @@ impl<'m> Solver<'m> {
     }
 
     /// Where the tool is behind each item of a motion that begins at a pose, as far as every axis is known.
-    pub(super) fn poses(&mut self, motion: &Motion, mut at: Option<Pose>, out: &mut Vec<Option<Pose>>) {
+    pub(crate) fn poses(&mut self, motion: &Motion, mut at: Option<Pose>, out: &mut Vec<Option<Pose>>) {
         let all = (1 << motion.axes()) - 1;
         let known = |item: &Item| match &item.what {
             What::Move(it) => Some((it.known == all).then_some(it.joints)),

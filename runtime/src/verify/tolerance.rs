@@ -1,6 +1,7 @@
 //! What rounding of the program's words explains.
 
 use super::pose::Pose;
+use crate::certificate::Deviation;
 use crate::machine::{Machine, Motion};
 use crate::motion::Arc;
 use crate::nc::dialect::{Dialect, Word};
@@ -20,7 +21,8 @@ pub(super) struct Tolerance<'m> {
     rotary_deg: Vec<f64>,
     /// The last digit of each axis' word, in millimetres or degrees.
     digit: Vec<f64>,
-    axis_rad: f64,
+    /// Of the angle that the tool axis may be off by.
+    axis_sine: f64,
     /// Half of the last digit of a feed.
     pub(super) feed_mm_per_min: f64,
     pub(super) feed_mm_per_rev: f64,
@@ -37,7 +39,8 @@ impl<'m> Tolerance<'m> {
             Motion::Linear => 0.0,
         };
         let rotary_deg: Vec<f64> = words.map(rotary).collect();
-        let axis_rad = rotary_deg.iter().sum::<f64>().to_radians() + machine.axis_tolerance_rad;
+        let words_rad = rotary_deg.iter().sum::<f64>().to_radians();
+        let axis_rad = words_rad + machine.axis_tolerance_rad + left_alone_rad(machine);
         let digit = |(axis, word): (&crate::machine::Axis, &Word)| match axis.motion {
             Motion::Linear => 2.0 * unit_mm * half_digit(word),
             Motion::Rotary => 2.0 * half_digit(word),
@@ -47,7 +50,7 @@ impl<'m> Tolerance<'m> {
             digit: machine.axes.iter().zip(&dialect.axes).map(digit).collect(),
             linear_mm: squares.sqrt() + CL_MM + machine.plane_tolerance_mm,
             rotary_deg,
-            axis_rad: 1.01 * axis_rad,
+            axis_sine: libm::sin((1.01 * axis_rad).min(std::f64::consts::FRAC_PI_2)),
             feed_mm_per_min: 1.01 * dialect.feed_unit_mm() * half_digit(&dialect.feed),
             feed_mm_per_rev: 1.01 * unit_mm * half_digit(&dialect.feed_per_revolution),
         }
@@ -55,8 +58,9 @@ impl<'m> Tolerance<'m> {
 
     /// Whether two poses differ by no more than rounding of the words, where the joints are these.
     pub(super) fn agrees(&self, found: Pose, wanted: Pose, joints: &[f64]) -> bool {
-        let (tip_mm, axis_rad) = found.apart(wanted);
-        axis_rad <= self.axis_rad && (tip_mm <= self.linear_mm || tip_mm <= self.tip_mm(joints))
+        let Deviation { tip_mm_squared, .. } = found.deviation(wanted);
+        let within = |bound_mm: f64| tip_mm_squared <= bound_mm * bound_mm;
+        self.is_same_axis(found, wanted) && (within(self.linear_mm) || within(self.tip_mm(joints)))
     }
 
     /// The axis whose word is off by more than its last digit, and by how much.
@@ -67,8 +71,12 @@ impl<'m> Tolerance<'m> {
 
     /// Whether two poses are one.
     pub(super) fn is_same(&self, a: Pose, b: Pose) -> bool {
-        let (tip_mm, axis_rad) = a.apart(b);
-        axis_rad <= self.axis_rad && tip_mm <= self.linear_mm
+        self.is_same_axis(a, b) && a.deviation(b).tip_mm_squared <= self.linear_mm * self.linear_mm
+    }
+
+    fn is_same_axis(&self, a: Pose, b: Pose) -> bool {
+        let Deviation { sine_squared, cosine, .. } = a.deviation(b);
+        cosine > 0.0 && sine_squared <= self.axis_sine * self.axis_sine
     }
 
     /// Whether two values of a word are one.
@@ -101,6 +109,12 @@ impl<'m> Tolerance<'m> {
     fn in_machine(&self, tip_mm: Vec3) -> Vec3 {
         sub(tip_mm, self.machine.chain.tip_at_home(self.machine.tool()))
     }
+}
+
+/// The turns of the tool by measured errors, which next to a pole are not compensated.
+fn left_alone_rad(machine: &Machine) -> f64 {
+    let turns = machine.errors.iter().filter(|table| table.component.is_turn());
+    turns.map(|table| table.rows.iter().map(|(_, error_rad)| error_rad.abs()).fold(0.0, f64::max)).sum()
 }
 
 /// Half of the last digit of a word, in its unit.

@@ -1,12 +1,12 @@
 //! What the CL wants, one after the other, everything resolved.
 
 use super::pose::Pose;
-use crate::cl::{Reader, Toolpath};
+use crate::cl::{Next, Reader};
 use crate::coordinates::in_machine_frame;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::machine::Machine;
 use crate::motion::{Event, State};
-use crate::toolpath::{self, Approach, Command, Item, LoadedTool, Point, What};
+use crate::toolpath::{self, Approach, Command, Point};
 use std::collections::VecDeque;
 use std::io::{self, Read};
 
@@ -15,23 +15,32 @@ pub(super) const AHEAD: usize = 256;
 
 /// A point or an event of the CL, and its line.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Wanted {
+pub(crate) struct Wanted {
     pub(super) line: u64,
     pub(super) what: WantedWhat,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum WantedWhat {
-    Point { pose: Pose, is_cut: bool, state: State },
+pub(crate) enum WantedWhat {
+    /// With the index of the state that is to be in force there.
+    Point {
+        pose: Pose,
+        is_cut: bool,
+        state: u32,
+    },
     Event(Event),
 }
 
 /// The CL as it is read.
-pub(super) struct WantedStream<'a> {
-    toolpath: Toolpath<Box<dyn Read + 'a>>,
+pub(crate) struct WantedStream<'a> {
+    /// `None` for a CL that is handed over piece by piece.
+    reader: Option<Reader<Box<dyn Read + 'a>>>,
     machine: &'a Machine,
+    points: Vec<Point>,
     queue: VecDeque<Wanted>,
-    tool: Option<LoadedTool>,
+    state: toolpath::State,
+    /// The states at the points of the queue, as they are and as a control has them; the last one is that of the last point.
+    states: Vec<(toolpath::State, State)>,
     has_ended: bool,
     pub(super) has_errors: bool,
     /// What is to be told of it.
@@ -40,8 +49,27 @@ pub(super) struct WantedStream<'a> {
 
 impl<'a> WantedStream<'a> {
     pub(super) fn new(reader: Reader<Box<dyn Read + 'a>>, machine: &'a Machine) -> Self {
-        let (toolpath, queue, diagnostics) = (Toolpath::new(reader), VecDeque::new(), Vec::new());
-        Self { toolpath, machine, queue, tool: None, has_ended: false, has_errors: false, diagnostics }
+        Self { reader: Some(reader), ..Self::in_pieces(machine) }
+    }
+
+    /// A CL that is handed over piece by piece.
+    pub(super) fn in_pieces(machine: &'a Machine) -> Self {
+        Self {
+            reader: None,
+            machine,
+            points: Vec::new(),
+            queue: VecDeque::new(),
+            state: toolpath::State::default(),
+            states: Vec::new(),
+            has_ended: false,
+            has_errors: false,
+            diagnostics: Vec::new(),
+        }
+    }
+
+    /// Whether it is handed over piece by piece.
+    pub(super) fn is_in_pieces(&self) -> bool {
+        self.reader.is_none()
     }
 
     /// What comes next.
@@ -56,52 +84,73 @@ impl<'a> WantedStream<'a> {
         Ok(self.queue.iter().take(AHEAD))
     }
 
+    /// The state with this index.
+    pub(super) fn state(&self, index: u32) -> State {
+        self.states[index as usize].1
+    }
+
     /// Goes on by so many.
     pub(super) fn pass(&mut self, count: usize) {
         self.queue.drain(..count);
     }
 
     fn fill(&mut self, count: usize) -> io::Result<()> {
-        while self.queue.len() < count && !self.has_ended {
-            match self.toolpath.next_item()? {
-                Some(Ok(item)) => {
-                    let what = self.wanted(&item);
-                    self.queue.extend(what.map(|what| Wanted { line: item.line, what }));
-                }
-                Some(Err(diagnostic)) => {
+        while self.queue.len() < count
+            && !self.has_ended
+            && let Some(reader) = &mut self.reader
+        {
+            self.points.clear();
+            let next = reader.next_into(&mut self.points, AHEAD)?;
+            let points = std::mem::take(&mut self.points);
+            self.points(&points);
+            self.points = points;
+            match next {
+                Next::Full | Next::From(_) => {}
+                Next::Command(command, place) => self.command(&command, place.line),
+                Next::Diagnostic(diagnostic) => {
                     self.has_errors |= diagnostic.severity == Severity::Error;
                     self.diagnostics.push(diagnostic);
                 }
-                None => self.has_ended = true,
+                Next::End => self.has_ended = true,
             }
         }
         Ok(())
     }
 
-    fn wanted(&mut self, item: &Item) -> Option<WantedWhat> {
-        match &item.what {
-            What::Point(Point { tip_mm, axis, approach, .. }) => {
-                let pose = Pose { tip_mm: in_machine_frame(self.machine, *tip_mm), axis: *axis };
-                let is_cut = matches!(approach, Approach::Feed(_));
-                Some(WantedWhat::Point { pose, is_cut, state: item.state.into() })
-            }
-            What::Command(command) => self.event(command, &item.state).map(WantedWhat::Event),
-            What::From(_) | What::Frame(_) => None,
+    /// Takes the next points.
+    pub(crate) fn points(&mut self, points: &[Point]) {
+        if self.queue.is_empty() {
+            self.states.clear();
+        }
+        for point in points {
+            let wanted = self.point(point);
+            self.queue.push_back(wanted);
         }
     }
 
-    fn event(&mut self, command: &Command, state: &toolpath::State) -> Option<Event> {
-        match command {
-            Command::Tool { number, .. } => {
-                // The tool that is in the spindle is not changed for itself.
-                let before = std::mem::replace(&mut self.tool, state.tool);
-                (before != state.tool).then_some(Event::ToolChange(*number as u32))
-            }
+    fn point(&mut self, point: &Point) -> Wanted {
+        self.state.go(point);
+        if self.states.last().is_none_or(|(state, _)| *state != self.state) {
+            self.states.push((self.state, self.state.into()));
+        }
+        let pose = Pose { tip_mm: in_machine_frame(self.machine, point.tip_mm), axis: point.axis };
+        let is_cut = matches!(point.approach, Approach::Feed(_));
+        let state = self.states.len() as u32 - 1;
+        Wanted { line: point.line, what: WantedWhat::Point { pose, is_cut, state } }
+    }
+
+    /// Takes the next command.
+    pub(crate) fn command(&mut self, command: &Command, line: u64) {
+        // The tool that is in the spindle is not changed for itself.
+        let is_new = self.state.take(command);
+        let event = match command {
+            Command::Tool { number, .. } => is_new.then_some(Event::ToolChange(*number as u32)),
             Command::Stop => Some(Event::Stop),
             Command::OptionalStop => Some(Event::OptionalStop),
             Command::Dwell(seconds) => Some(Event::Dwell(*seconds)),
             Command::SpindleOn(..) | Command::SpindleOff | Command::CoolantOn(_) | Command::CoolantOff => None,
             Command::Operation { .. } | Command::Message(_) => None,
-        }
+        };
+        self.queue.extend(event.map(|event| Wanted { line, what: WantedWhat::Event(event) }));
     }
 }

@@ -3,7 +3,7 @@
 use super::mismatch::{Difference, Found};
 use super::pose::{Pose, Solver};
 use super::tolerance::Tolerance;
-use crate::kinematics::LANES;
+use crate::kinematics::{Kinematics, LANES};
 use crate::motion::Motion;
 
 /// A point of the CL that a move has reached.
@@ -20,10 +20,10 @@ pub(super) struct PointReached {
 }
 
 /// Judges the words of these points.
-pub(super) fn judge(
+pub(super) fn judge<K: Kinematics>(
     points: &[PointReached],
     motion: &Motion,
-    solver: &mut Solver<'_>,
+    solver: &mut Solver<'_, K>,
     tolerance: &Tolerance<'_>,
     differ: &mut dyn FnMut(Found, &PointReached),
 ) {

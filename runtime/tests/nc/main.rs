@@ -1,5 +1,4 @@
 //! NC text from outside: what is printed for a small dialect written by hand.
 
-mod reading_back;
 mod table;
 mod writing;

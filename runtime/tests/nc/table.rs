@@ -1,5 +1,7 @@
 //! A five-axis table and a Fanuc-like dialect, as tables.
 
+use mach_runtime::dialect::meaning::Wrap;
+use mach_runtime::dialect::table::{BlockKind, Table};
 use mach_runtime::machine::{Axis, Motion, Rule, Travel, Written};
 use mach_runtime::nc::dialect::{Block, Codes, Dialect, Line, Piece, Sequence, Trigger, Value, Word};
 use mach_runtime::number::{DecimalPoint, Picture};
@@ -111,5 +113,22 @@ pub(crate) fn dialect() -> Dialect {
             motion(Trigger::Rapid, 0),
             motion(Trigger::Feed, 1),
         ],
+        table: no_table(),
+    }
+}
+
+/// What is only written needs none.
+fn no_table() -> Table {
+    Table {
+        blocks: BlockKind::Words,
+        comment: ("(".into(), ")".into()),
+        sequence: None,
+        continued: None,
+        words: Vec::new(),
+        forms: Vec::new(),
+        patterns: Vec::new(),
+        wrap: Wrap::Shortest,
+        inch_feed_mm: 25.4,
+        power_on: Vec::new(),
     }
 }

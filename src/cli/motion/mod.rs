@@ -36,7 +36,7 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: Arguments, report: &mut Report) -> Result<Status, Failure> {
     let Some(prepared) = prepare(&arguments.machine, report)? else { return Ok(Status::Refused) };
-    let Some(table) = &prepared.model.table else {
+    let Some(table) = prepared.model.dialect.as_ref().map(|dialect| &dialect.table) else {
         return Ok(report.tell(&[no_controller(&prepared.origins)]));
     };
     let machine = arguments.options.equipped(prepared.machine.clone());

@@ -1,5 +1,7 @@
 //! The runtime's tables as Rust expressions.
 
+use mach_runtime::dialect::meaning::Wrap;
+use mach_runtime::dialect::table::{Form, FormMeaning, Table, TableWord};
 use mach_runtime::kinematics::Pole;
 use mach_runtime::machine::{
     Axis, BranchPolicy, Chain, Component, ErrorTable, Joint, Machine, Motion, Preference, Rule, Strictness,
@@ -16,7 +18,7 @@ pub(super) trait Literal {
 }
 
 /// The functions that the literals call, by their names.
-pub(super) const HELPERS: [(&str, &str); 3] = [
+pub(super) const HELPERS: [(&str, &str); 6] = [
     (
         "numbered",
         "/// A line with a sequence number.
@@ -26,6 +28,23 @@ fn numbered<const N: usize>(pieces: [Piece; N]) -> Line { Line { numbered: true,
         "bare",
         "/// A line without a sequence number.
 fn bare<const N: usize>(pieces: [Piece; N]) -> Line { Line { numbered: false, pieces: pieces.into() } }",
+    ),
+    (
+        "pattern",
+        "/// A text, and what it means.
+fn pattern<const M: usize, const N: usize>(meanings: [Meaning; M], number: Option<u32>, words: [PatternWord; N]) -> Pattern {
+    Pattern { meanings: meanings.into(), number, words: words.into() }
+}",
+    ),
+    (
+        "code",
+        "/// A letter and a number, in thousandths.
+fn code(address: &str, thousandths: i64) -> PatternWord { PatternWord::Code { address: address.to_owned(), thousandths } }",
+    ),
+    (
+        "hole",
+        "/// A letter and a number that the program says.
+fn hole(address: &str, hole: Hole) -> PatternWord { PatternWord::Hole { address: address.to_owned(), hole } }",
     ),
     ("text", "/// Printed as it is.\nfn text(text: &str) -> Piece { Piece::Text(text.to_owned()) }"),
 ];
@@ -79,8 +98,11 @@ structs! {
     BranchPolicy { start, then, reposition }
     Dialect {
         name, units, extension, comment, block_kind, sequence, offset, retract, codes, axes, feed, feed_unit_um,
-        feed_per_revolution, modal_groups, blocks,
+        feed_per_revolution, modal_groups, blocks, table,
     }
+    Table { blocks, comment, sequence, continued, words, forms, patterns, wrap, inch_feed_mm, power_on }
+    TableWord { address, role, metric, inch, pointless }
+    Form { meaning, before, between, behind }
     Picture { plus, integer_digits, integer_least, decimals, decimals_least, point, zero }
     Word { name, address, picture }
     Sequence { address, start, step, greatest }
@@ -88,7 +110,7 @@ structs! {
     Block { trigger, lines }
 }
 
-names! { Component Motion Strictness LengthUnit DecimalPoint BlockKind Trigger Value }
+names! { Component Motion Strictness LengthUnit DecimalPoint Trigger Value BlockKind FormMeaning Wrap }
 plain! { bool u8 u32 u64 usize }
 
 impl Literal for f64 {
@@ -191,6 +213,7 @@ impl Literal for Piece {
     }
 }
 
-fn list<T: Literal>(items: &[T]) -> String {
+/// One after the other, between commas.
+pub(super) fn list<T: Literal>(items: &[T]) -> String {
     items.iter().map(T::literal).collect::<Vec<_>>().join(", ")
 }

@@ -3,6 +3,7 @@
 mod code;
 mod layout;
 mod literal;
+mod table;
 
 use super::function::{forward, forward_actual, given_and_solved, inverse, position};
 use super::listing::Function;
@@ -37,7 +38,7 @@ pub fn rust(compiled: &Compiled) -> String {
 fn header(compiled: &Compiled) -> String {
     let title = compiled.model.title.as_ref().map(|title| format!(": {title}")).unwrap_or_default();
     let uses_dialect = if compiled.model.dialect.is_some() {
-        "use mach_runtime::nc::dialect::*;\nuse mach_runtime::number::*;\nuse mach_runtime::rig::Rig;\nuse mach_runtime::unit::*;\n"
+        "use mach_runtime::dialect::{meaning::*, pattern::*, table::*};\nuse mach_runtime::nc::dialect::*;\nuse mach_runtime::number::*;\nuse mach_runtime::rig::Rig;\nuse mach_runtime::unit::*;\n"
     } else {
         ""
     };

@@ -8,12 +8,13 @@ use super::word::{self, FEED, FEED_PER_REVOLUTION, Formats};
 use super::{feed_unit, form};
 use crate::syntax::tree::{ControllerStatement, Member, MemberText, Spanned, TemplatePiece};
 use mach_runtime::diagnostic::{Code, Diagnostic};
-use mach_runtime::dialect::meaning::{Meaning, Switch, Wrap};
+use mach_runtime::dialect::meaning::{FeedMode, Meaning, Switch, Wrap};
 use mach_runtime::dialect::pattern::{Pattern, PatternWord};
 use mach_runtime::dialect::table::{Role, Table, TableWord};
 use mach_runtime::machine::Motion;
 use mach_runtime::nc::dialect::{Sequence, Word};
 use mach_runtime::number::DecimalPoint;
+use mach_runtime::unit::LengthUnit;
 
 /// A text of a meaning that is no pattern.
 pub(super) static BAD_PATTERN: Code = Code {
@@ -78,12 +79,19 @@ pub(super) fn table(
         continued: blocks.continued.clone(),
         words,
         forms: form::forms(lowering),
-        patterns,
         // Where programs say it, nothing is taken for granted while they have not.
         wrap: if says_wrap { Wrap::Counted } else { Wrap::Shortest },
         inch_feed_mm: f64::from(feed_unit::inch_um(lowering)) / 1000.0,
-        power_on: Vec::new(),
+        power_on: taken_for_granted(super::units(lowering), &patterns),
+        patterns,
     }
+}
+
+/// What no program says, because the controller has no code for it: its unit of length, and that a feed counts length a minute.
+fn taken_for_granted(units: LengthUnit, patterns: &[Pattern]) -> Vec<(Meaning, Option<u32>)> {
+    let granted = [Meaning::Units(units), Meaning::FeedMode(FeedMode::PerMinute)];
+    let is_said = |granted: &Meaning| patterns.iter().flat_map(|it| &it.meanings).any(|said| said.excludes(*granted));
+    granted.into_iter().filter(|granted| !is_said(granted)).map(|granted| (granted, None)).collect()
 }
 
 fn table_word(word: &Word, role: Role, is_length: bool) -> TableWord {

@@ -9,6 +9,7 @@
 
 use mach_runtime::kinematics::*;
 use mach_runtime::machine::*;
+use mach_runtime::dialect::{meaning::*, pattern::*, table::*};
 use mach_runtime::nc::dialect::*;
 use mach_runtime::number::*;
 use mach_runtime::rig::Rig;
@@ -685,6 +686,228 @@ pub fn dialect() -> Dialect {
                 ]),
             },
         ]),
+        table: Table {
+            blocks: BlockKind::Words,
+            comment: ("(".to_owned(), ")".to_owned()),
+            sequence: Some("N".to_owned()),
+            continued: None,
+            words: Vec::from([
+                TableWord {
+                    address: "X".to_owned(),
+                    role: Role::Axis(0),
+                    metric: 1.0,
+                    inch: 25.4,
+                    pointless: None,
+                },
+                TableWord {
+                    address: "Y".to_owned(),
+                    role: Role::Axis(1),
+                    metric: 1.0,
+                    inch: 25.4,
+                    pointless: None,
+                },
+                TableWord {
+                    address: "Z".to_owned(),
+                    role: Role::Axis(2),
+                    metric: 1.0,
+                    inch: 25.4,
+                    pointless: None,
+                },
+                TableWord {
+                    address: "A".to_owned(),
+                    role: Role::Axis(3),
+                    metric: 1.0,
+                    inch: 1.0,
+                    pointless: None,
+                },
+                TableWord {
+                    address: "C".to_owned(),
+                    role: Role::Axis(4),
+                    metric: 1.0,
+                    inch: 1.0,
+                    pointless: None,
+                },
+                TableWord {
+                    address: "I".to_owned(),
+                    role: Role::Centre(0),
+                    metric: 1.0,
+                    inch: 1.0,
+                    pointless: None,
+                },
+                TableWord {
+                    address: "J".to_owned(),
+                    role: Role::Centre(1),
+                    metric: 1.0,
+                    inch: 1.0,
+                    pointless: None,
+                },
+                TableWord {
+                    address: "K".to_owned(),
+                    role: Role::Centre(2),
+                    metric: 1.0,
+                    inch: 1.0,
+                    pointless: None,
+                },
+                TableWord {
+                    address: "R".to_owned(),
+                    role: Role::Radius,
+                    metric: 1.0,
+                    inch: 1.0,
+                    pointless: None,
+                },
+                TableWord {
+                    address: "F".to_owned(),
+                    role: Role::Feed,
+                    metric: 1.0,
+                    inch: 1.0,
+                    pointless: Some(1.0),
+                },
+                TableWord {
+                    address: "F".to_owned(),
+                    role: Role::Feed,
+                    metric: 1.0,
+                    inch: 1.0,
+                    pointless: Some(1.0),
+                },
+                TableWord {
+                    address: "S".to_owned(),
+                    role: Role::Speed,
+                    metric: 1.0,
+                    inch: 1.0,
+                    pointless: Some(1.0),
+                },
+                TableWord {
+                    address: "T".to_owned(),
+                    role: Role::Tool,
+                    metric: 1.0,
+                    inch: 1.0,
+                    pointless: Some(1.0),
+                },
+            ]),
+            forms: Vec::new(),
+            patterns: Vec::from([
+                pattern([Meaning::Motion(MotionCode::Rapid)], None, [code("G", 0)]),
+                pattern([Meaning::Motion(MotionCode::Line)], None, [code("G", 1000)]),
+                pattern(
+                    [Meaning::Motion(MotionCode::ArcClockwise)],
+                    None,
+                    [code("G", 2000)],
+                ),
+                pattern(
+                    [Meaning::Motion(MotionCode::ArcCounterclockwise)],
+                    None,
+                    [code("G", 3000)],
+                ),
+                pattern([Meaning::Plane(Plane::Xy)], None, [code("G", 17000)]),
+                pattern([Meaning::Plane(Plane::Zx)], None, [code("G", 18000)]),
+                pattern([Meaning::Plane(Plane::Yz)], None, [code("G", 19000)]),
+                pattern(
+                    [Meaning::Distance(Distance::Absolute)],
+                    None,
+                    [code("G", 90000)],
+                ),
+                pattern(
+                    [Meaning::Distance(Distance::Incremental)],
+                    None,
+                    [code("G", 91000)],
+                ),
+                pattern(
+                    [Meaning::Units(LengthUnit::Millimetre)],
+                    None,
+                    [code("G", 21000)],
+                ),
+                pattern([Meaning::Units(LengthUnit::Inch)], None, [code("G", 20000)]),
+                pattern(
+                    [Meaning::FeedMode(FeedMode::PerMinute)],
+                    None,
+                    [code("G", 94000)],
+                ),
+                pattern(
+                    [Meaning::FeedMode(FeedMode::PerRevolution)],
+                    None,
+                    [code("G", 95000)],
+                ),
+                pattern(
+                    [Meaning::FeedMode(FeedMode::Inverse)],
+                    None,
+                    [code("G", 93000)],
+                ),
+                pattern([Meaning::Side(Side::Off)], None, [code("G", 40000)]),
+                pattern(
+                    [Meaning::Side(Side::Left)],
+                    None,
+                    [code("G", 41000), hole("D", Hole::Register)],
+                ),
+                pattern(
+                    [Meaning::Side(Side::Right)],
+                    None,
+                    [code("G", 42000), hole("D", Hole::Register)],
+                ),
+                pattern([Meaning::Offset], Some(1), [code("G", 54000)]),
+                pattern([Meaning::Offset], Some(2), [code("G", 55000)]),
+                pattern([Meaning::Offset], Some(3), [code("G", 56000)]),
+                pattern([Meaning::Offset], Some(4), [code("G", 57000)]),
+                pattern([Meaning::Offset], Some(5), [code("G", 58000)]),
+                pattern([Meaning::Offset], Some(6), [code("G", 59000)]),
+                pattern(
+                    [Meaning::Length(Switch::Off), Meaning::Tip(Switch::Off)],
+                    None,
+                    [code("G", 49000)],
+                ),
+                pattern(
+                    [Meaning::Length(Switch::On)],
+                    None,
+                    [code("G", 43000), hole("H", Hole::Register)],
+                ),
+                pattern(
+                    [Meaning::Tip(Switch::On)],
+                    None,
+                    [code("G", 43400), hole("H", Hole::Register)],
+                ),
+                pattern([Meaning::Frame(Switch::Off)], None, [code("G", 69000)]),
+                pattern([Meaning::Frame(Switch::On)], None, [code("G", 68200)]),
+                pattern([Meaning::Cycle(Switch::Off)], None, [code("G", 80000)]),
+                pattern([Meaning::Path(PathMode::Exact)], None, [code("G", 61000)]),
+                pattern([Meaning::Path(PathMode::Blend)], None, [code("G", 64000)]),
+                pattern([Meaning::Spindle(Spindle::Off)], None, [code("M", 5000)]),
+                pattern([Meaning::Spindle(Spindle::Clockwise)], None, [code("M", 3000)]),
+                pattern(
+                    [Meaning::Spindle(Spindle::Counterclockwise)],
+                    None,
+                    [code("M", 4000)],
+                ),
+                pattern([Meaning::Coolant(Coolant::Off)], None, [code("M", 9000)]),
+                pattern([Meaning::Coolant(Coolant::Flood)], None, [code("M", 8000)]),
+                pattern([Meaning::Coolant(Coolant::Mist)], None, [code("M", 7000)]),
+                pattern([Meaning::Coolant(Coolant::Through)], None, [code("M", 88000)]),
+                pattern(
+                    [Meaning::Once(Once::MachineCoordinates)],
+                    None,
+                    [code("G", 53000)],
+                ),
+                pattern([Meaning::Once(Once::ReferencePoint)], None, [code("G", 28000)]),
+                pattern([Meaning::Once(Once::ReferencePoint)], None, [code("G", 30000)]),
+                pattern([Meaning::Once(Once::ToolChange)], None, [code("M", 6000)]),
+                pattern(
+                    [Meaning::Once(Once::Dwell)],
+                    None,
+                    [code("G", 4000), hole("P", Hole::Milliseconds)],
+                ),
+                pattern(
+                    [Meaning::Once(Once::Dwell)],
+                    None,
+                    [code("G", 4000), hole("X", Hole::Seconds)],
+                ),
+                pattern([Meaning::Once(Once::Stop)], None, [code("M", 0)]),
+                pattern([Meaning::Once(Once::OptionalStop)], None, [code("M", 1000)]),
+                pattern([Meaning::Once(Once::End)], None, [code("M", 30000)]),
+                pattern([Meaning::Once(Once::End)], None, [code("M", 2000)]),
+                pattern([Meaning::Once(Once::Program)], None, [hole("O", Hole::Program)]),
+            ]),
+            wrap: Wrap::Shortest,
+            inch_feed_mm: 25.4,
+            power_on: Vec::new(),
+        },
     }
 }
 
@@ -710,6 +933,35 @@ fn bare<const N: usize>(pieces: [Piece; N]) -> Line {
     Line {
         numbered: false,
         pieces: pieces.into(),
+    }
+}
+
+/// A text, and what it means.
+fn pattern<const M: usize, const N: usize>(
+    meanings: [Meaning; M],
+    number: Option<u32>,
+    words: [PatternWord; N],
+) -> Pattern {
+    Pattern {
+        meanings: meanings.into(),
+        number,
+        words: words.into(),
+    }
+}
+
+/// A letter and a number, in thousandths.
+fn code(address: &str, thousandths: i64) -> PatternWord {
+    PatternWord::Code {
+        address: address.to_owned(),
+        thousandths,
+    }
+}
+
+/// A letter and a number that the program says.
+fn hole(address: &str, hole: Hole) -> PatternWord {
+    PatternWord::Hole {
+        address: address.to_owned(),
+        hole,
     }
 }
 

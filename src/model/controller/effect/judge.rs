@@ -3,18 +3,12 @@
 use super::run::Run;
 use super::sample::{DWELL_S, ROUNDED, SPEED_RPM, TARGET, TOOL, feed_mm};
 use mach_runtime::dialect::meaning::{Coolant, Distance, FeedMode, Meaning, Spindle, Switch};
-use mach_runtime::dialect::table::Table;
 use mach_runtime::motion::{Coolants, Event, Feed, Law, State, What};
 use mach_runtime::nc::dialect::{Dialect, Trigger};
 
 /// What is wrong with what a block has done.
-pub(super) fn judge(
-    run: &Run,
-    dialect: &Dialect,
-    table: &Table,
-    (trigger, mode): (Trigger, FeedMode),
-) -> Option<String> {
-    left_behind(run, dialect, table, (trigger, mode))
+pub(super) fn judge(run: &Run, dialect: &Dialect, (trigger, mode): (Trigger, FeedMode)) -> Option<String> {
+    left_behind(run, dialect, (trigger, mode))
         .or_else(|| shifted(run, trigger))
         .or_else(|| events(run, trigger))
         .or_else(|| if trigger.is_motion() { motion(run, dialect, (trigger, mode)) } else { no_motion(run, trigger) })
@@ -22,9 +16,9 @@ pub(super) fn judge(
 }
 
 /// What no block may leave behind, and what the head of a program must have said.
-fn left_behind(run: &Run, dialect: &Dialect, table: &Table, (trigger, mode): (Trigger, FeedMode)) -> Option<String> {
+fn left_behind(run: &Run, dialect: &Dialect, (trigger, mode): (Trigger, FeedMode)) -> Option<String> {
     let after = &run.after;
-    let can_say = |pick: fn(&Meaning) -> bool| table.patterns.iter().flat_map(|it| &it.meanings).any(pick);
+    let can_say = |pick: fn(&Meaning) -> bool| dialect.table.patterns.iter().flat_map(|it| &it.meanings).any(pick);
     let is_unsaid = |said: bool, pick: fn(&Meaning) -> bool| trigger == Trigger::Start && !said && can_say(pick);
     if after.distance == Some(Distance::Incremental) {
         return Some("leaves incremental words in force".to_owned());

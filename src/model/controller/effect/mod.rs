@@ -11,7 +11,6 @@ use crate::syntax::tree::{ControllerStatement, Span};
 use mach_runtime::control::Control;
 use mach_runtime::diagnostic::Code;
 use mach_runtime::dialect::meaning::{FeedMode, Meaning, Once};
-use mach_runtime::dialect::table::Table;
 use mach_runtime::machine::Axis;
 use mach_runtime::nc::dialect::{Block, Dialect, Piece, Value};
 use mach_runtime::tool::ToolGeometry;
@@ -54,11 +53,11 @@ at an operation and at a tool change.",
 };
 
 /// Reports each block that cannot be read, or does something else than its event.
-pub(super) fn check(lowering: &mut Lowering<'_>, dialect: &Dialect, table: &Table, named: &[ControlledAxis<'_>]) {
+pub(super) fn check(lowering: &mut Lowering<'_>, dialect: &Dialect, named: &[ControlledAxis<'_>]) {
     let axes = sample::axes(named);
     for block in &dialect.blocks {
         let mut modes = sample::feed_modes(dialect);
-        let found = modes.find_map(|mode| mistake(dialect, table, &axes, block, mode));
+        let found = modes.find_map(|mode| mistake(dialect, &axes, block, mode));
         let Some((code, message)) = found else { continue };
         let said = lowering.last(|statement| match statement {
             ControllerStatement::On { event, .. } if event.value == block.trigger => Some(&event.span),
@@ -72,27 +71,27 @@ pub(super) fn check(lowering: &mut Lowering<'_>, dialect: &Dialect, table: &Tabl
 /// What is wrong with a block, and its code.
 type Mistake = (&'static Code, String);
 
-fn mistake(dialect: &Dialect, table: &Table, axes: &[Axis], block: &Block, mode: FeedMode) -> Option<Mistake> {
+fn mistake(dialect: &Dialect, axes: &[Axis], block: &Block, mode: FeedMode) -> Option<Mistake> {
     let unread = |message: String| Some((&UNREAD_TEXT, message));
     let text = sample::print(dialect, axes, block, mode)?;
-    if let Some(message) = written_out(dialect, table, axes, block) {
+    if let Some(message) = written_out(dialect, axes, block) {
         return unread(message);
     }
-    match run::run(&text, dialect, table, axes, (block.trigger, mode)) {
+    match run::run(&text, dialect, axes, (block.trigger, mode)) {
         Err(message) => unread(message),
-        Ok(run) => judge::judge(&run, dialect, table, (block.trigger, mode)).map(|message| (&OTHER_EFFECT, message)),
+        Ok(run) => judge::judge(&run, dialect, (block.trigger, mode)).map(|message| (&OTHER_EFFECT, message)),
     }
 }
 
 /// An axis word that is written out, and not in machine coordinates: one that is still there when the placeholders of axes print
 /// nothing.
-fn written_out(dialect: &Dialect, table: &Table, axes: &[Axis], block: &Block) -> Option<String> {
+fn written_out(dialect: &Dialect, axes: &[Axis], block: &Block) -> Option<String> {
     let mut without = block.clone();
     for line in &mut without.lines {
         line.pieces.retain(|piece| !matches!(piece, Piece::Axes(_) | Piece::Value(Value::Retract, _)));
     }
     let text = sample::print(dialect, axes, &without, FeedMode::PerMinute)?;
-    let control = Control::new(table, axes, ToolGeometry::of_length(0.0));
+    let control = Control::new(&dialect.table, axes, ToolGeometry::of_length(0.0));
     text.lines().find_map(|line| {
         let block = control.read(line).ok()??;
         let is_machine = block.has(Meaning::Once(Once::MachineCoordinates));

@@ -3,7 +3,6 @@
 use super::sample::{START, TOOL};
 use mach_runtime::control::{Control, Modal};
 use mach_runtime::dialect::meaning::{Coolant, Distance, FeedMode, Plane, Spindle};
-use mach_runtime::dialect::table::Table;
 use mach_runtime::machine::Axis;
 use mach_runtime::motion::{Coolants, Motion, State, What};
 use mach_runtime::nc::dialect::{Dialect, Trigger};
@@ -25,11 +24,10 @@ pub(super) struct Run {
 pub(super) fn run(
     text: &str,
     dialect: &Dialect,
-    table: &Table,
     axes: &[Axis],
     (trigger, mode): (Trigger, FeedMode),
 ) -> Result<Run, String> {
-    let mut control = Control::new(table, axes, ToolGeometry::of_length(0.0));
+    let mut control = Control::new(&dialect.table, axes, ToolGeometry::of_length(0.0));
     if trigger != Trigger::Start {
         control.set_modal(usual(dialect, trigger, mode));
         // An offset that cannot be read is told where a block prints it.

@@ -46,8 +46,10 @@ pub(super) fn print(dialect: &Dialect, axes: &[Axis], block: &Block, mode: FeedM
     let mut text = Vec::new();
     let cut = Approach::Feed(Some(feed(dialect, mode)));
     match block.trigger {
-        Trigger::Rapid => writer(dialect, axes, vec![block]).motion(Approach::Rapid, &to(axes), 0.0, &mut text).ok()?,
-        Trigger::Feed => writer(dialect, axes, vec![block]).motion(cut, &to(axes), 0.0, &mut text).ok()?,
+        Trigger::Rapid => {
+            writer(dialect, axes, vec![block]).motion(Approach::Rapid, &to(axes), 0.0, &mut text).map(drop).ok()?
+        }
+        Trigger::Feed => writer(dialect, axes, vec![block]).motion(cut, &to(axes), 0.0, &mut text).map(drop).ok()?,
         Trigger::Start => writer(dialect, axes, vec![block]).command(Trigger::Start, &SAMPLE, &mut text).ok()?,
         trigger => {
             let mut writer = writer(dialect, axes, vec![dialect.block(Trigger::Feed)?.clone(), block]);
