@@ -8,7 +8,7 @@ use crate::prove;
 use mach_runtime::diagnostic::Code;
 
 /// The codes of the model and of the checks; those of the syntax are listed there.
-static CODES: [&Code; 47] = [
+static CODES: [&Code; 50] = [
     &load::CANNOT_READ,
     &load::USE_CYCLE,
     &library::DEFINED_TWICE,
@@ -53,6 +53,9 @@ static CODES: [&Code; 47] = [
     &check::written_range::NOT_ROTARY,
     &check::narrow_word::NARROW,
     &check::no_way_out::NO_WAY_OUT,
+    &check::coarse_word::COARSE,
+    &check::towards_the_part::TOWARDS_THE_PART,
+    &check::towards_the_part::LOWEST,
     &check::limited_wrapped::BEYOND_THE_TURN,
     &prove::NOT_PROVED,
     &c::NO_WORLD_COORDINATE,

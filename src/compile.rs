@@ -54,6 +54,8 @@ pub fn compile(entry: &str, sources: &dyn Sources) -> Result<Compiled, Vec<Diagn
     let model = Model { dialect, ..build(&draft) };
     if let Some(controller) = &controller {
         found.extend(check::narrow_word::check(&model, &draft, &controller.said.statements));
+        found.extend(check::coarse_word::check(&model, &draft, &controller.said.statements));
+        found.extend(check::towards_the_part::check(&model, &draft, &controller.said.statements));
         found.extend(check::no_way_out::check(&model, &draft, &controller.said.statements));
     }
     refuse_errors(&program.sources, &mut found)?;

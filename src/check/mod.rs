@@ -6,6 +6,7 @@
 pub(crate) mod axis_not_in_chain;
 pub(crate) mod axis_twice_in_chain;
 pub(crate) mod chain_ends;
+pub(crate) mod coarse_word;
 pub(crate) mod direction;
 pub(crate) mod error_rows;
 pub(crate) mod error_size;
@@ -21,6 +22,7 @@ pub(crate) mod rotary_along_tool;
 mod standing;
 pub(crate) mod supported;
 pub(crate) mod surplus;
+pub(crate) mod towards_the_part;
 pub(crate) mod travel;
 pub(crate) mod unknown_axis;
 pub(crate) mod written_range;
