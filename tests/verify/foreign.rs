@@ -1,32 +1,15 @@
 //! Programs that machc did not write.
 
-use super::machc::{Run, Workshop};
+use super::machc::Run;
+use super::mill;
 
-/// A mill with three axes whose travel counts from the program zero, and a program on it.
 fn verify(name: &str, program: &str, more: &[&str]) -> Run {
-    let workshop = Workshop::new(name);
-    workshop.write("mill.mach", MILL);
+    let workshop = mill::workshop(name, "syntec");
     workshop.write("part.nc", program);
-    workshop.write("part.cls", CL);
     workshop.run(&[&["verify", "mill.mach", "part.nc"], more].concat())
 }
 
-const MILL: &str = r#"
-use "controllers/syntec.mach"
-machine mill {
-    chain w b X Y Z t
-    linear X along +x  travel -500 .. 500
-    linear Y along +y  travel -500 .. 500
-    linear Z along +z  travel -500 .. 500
-    tool along +z
-    controller syntec { }
-}
-"#;
-
-const CL: &str = "TOOL PATH/CUT,TOOL,MILL\nLOAD/TOOL,1\nSPINDL/RPM,3000,CLW\nRAPID\nGOTO/0,0,50\nRAPID\nGOTO/0,0,2\n\
-                  FEDRAT/MMPM,200\nGOTO/0,0,-1\nGOTO/10,0,-1\nGOTO/10,20,-1\nRAPID\nGOTO/10,20,50\nEND-OF-PATH\n";
-
-/// The same in another hand: lower case, no blanks, leading zeros, no numbers, incremental words, a skipped block.
+/// The mill's CL in another hand: lower case, no blanks, leading zeros, no numbers, incremental words, a skipped block.
 const OTHER_HAND: &str = "%\no0001 (another hand)\ng17g21g40g49g80g90g94\ng54\nm9\nm5\ng53 g00 z500.\nt1m06\ns3000m03\n\
                           G00X0.Y0.\nG43Z50.H01\n/ (skipped) \nZ 2.\nG01 Z-1. F200\nG91 X10.\nG90\nX10.Y20.\nG00Z50.\n\
                           M09\nM05\nG53G00Z500.\nM30\n%\n";
@@ -89,8 +72,7 @@ fn arcs_by_centre_and_by_radius_are_measured_and_written_back() {
 
 #[test]
 fn a_program_written_back_posts_to_the_same_motion() {
-    let workshop = Workshop::new("way-back");
-    workshop.write("mill.mach", MILL);
+    let workshop = mill::workshop("way-back", "syntec");
     workshop.write("part.nc", OTHER_HAND);
     assert_eq!(workshop.run(&["verify", "mill.mach", "part.nc", "--cl", "back.cls"]).status, 0);
     let Run { status, stderr, .. } = workshop.run(&["post", "mill.mach", "back.cls", "-o", "again.nc"]);
@@ -185,8 +167,7 @@ fn a_difference_is_told_again_when_it_was_right_in_between() {
         ("wrong-again", [300, 300, 200, 300], 2),
         ("late", [200, 200, 300, 400], 1),
     ] {
-        let workshop = Workshop::new(&format!("again-{name}"));
-        workshop.write("mill.mach", MILL);
+        let workshop = mill::workshop(&format!("again-{name}"), "syntec");
         workshop.write("part.nc", &program(feeds));
         workshop.write("holes.cls", &cl);
         let run = workshop.run(&["verify", "mill.mach", "part.nc", "--against", "holes.cls"]);

@@ -1,24 +1,11 @@
 //! Klartext programs that machc did not write.
 
 use super::machc::{Run, Workshop};
-
-const MILL: &str = r#"
-use "controllers/heidenhain.mach"
-machine mill {
-    chain w b X Y Z t
-    linear X along +x  travel -500 .. 500
-    linear Y along +y  travel -500 .. 500
-    linear Z along +z  travel -500 .. 500
-    tool along +z
-    controller heidenhain { }
-}
-"#;
+use super::mill;
 
 fn workshop(name: &str, program: &str) -> Workshop {
-    let workshop = Workshop::new(name);
-    workshop.write("mill.mach", MILL);
+    let workshop = mill::workshop(name, "heidenhain");
     workshop.write("part.h", program);
-    workshop.write("part.cls", CL);
     workshop
 }
 
@@ -26,10 +13,7 @@ fn verify(name: &str, program: &str, more: &[&str]) -> Run {
     workshop(name, program).run(&[&["verify", "mill.mach", "part.h"], more].concat())
 }
 
-const CL: &str = "TOOL PATH/CUT,TOOL,MILL\nLOAD/TOOL,1\nSPINDL/RPM,3000,CLW\nRAPID\nGOTO/0,0,50\nRAPID\nGOTO/0,0,2\n\
-                  FEDRAT/MMPM,200\nGOTO/0,0,-1\nGOTO/10,0,-1\nGOTO/10,20,-1\nRAPID\nGOTO/10,20,50\nEND-OF-PATH\n";
-
-/// The same in another hand: small letters, a blank form, remarks, all in TOOL CALL, steps, a feed that stays.
+/// The mill's CL in another hand: small letters, a blank form, remarks, all in TOOL CALL, steps, a feed that stays.
 const OTHER_HAND: &str = "0  BEGIN PGM 2D_part-7 MM\n1  BLK FORM 0.1 Z X-10 Y-10 Z-20\n2  BLK FORM 0.2 X+100 Y+100 Z+0\n\
                           3  ; by hand\n4  CYCL DEF 247 DATUM SETTING ~\n   Q339=+1 ;DATUM NUMBER\n5  M126\n6  M137\n\
                           7  L Z+500 R0 FMAX M91\n8  TOOL CALL 1 Z S3000 F200\n9  L R0 FMAX M3\n10 l x+0 y+0 r0 fmax\n\

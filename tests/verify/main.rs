@@ -3,6 +3,7 @@
 mod agreement;
 mod foreign;
 mod klartext;
+mod mill;
 mod mutations;
 mod plain;
 mod published;
