@@ -1,6 +1,5 @@
 //! A controller's dialect as tables: words, modal groups, blocks, and what their texts mean.
 
-pub use crate::dialect::table::BlockKind;
 use crate::dialect::table::Table;
 use crate::number::Picture;
 use crate::unit::LengthUnit;
@@ -224,8 +223,6 @@ pub struct Dialect {
     pub extension: String,
     /// What opens and closes a comment; an empty close means the end of the line.
     pub comment: (String, String),
-    /// How blocks are put together.
-    pub block_kind: BlockKind,
     /// Sequence numbers, if any.
     pub sequence: Option<Sequence>,
     /// The work offset's code.
@@ -238,8 +235,6 @@ pub struct Dialect {
     pub axes: Vec<Word>,
     /// The feed word.
     pub feed: Word,
-    /// What one of it is, in thousandths of a millimetre a minute.
-    pub feed_unit_um: u32,
     /// The feed word in millimetres or inches a revolution; the same word where the controller makes no difference.
     pub feed_per_revolution: Word,
     /// Codes that replace each other.
@@ -264,7 +259,10 @@ pub struct Codes {
 impl Dialect {
     /// What one of the feed word is, in millimetres a minute.
     pub fn feed_unit_mm(&self) -> f64 {
-        f64::from(self.feed_unit_um) / 1000.0
+        match self.units {
+            LengthUnit::Millimetre => 1.0,
+            LengthUnit::Inch => self.table.inch_feed_mm,
+        }
     }
 
     /// The block that a trigger prints, if the controller has one.

@@ -93,8 +93,6 @@ pub(crate) fn dialect() -> Dialect {
         units: LengthUnit::Millimetre,
         extension: "nc".into(),
         comment: ("(".into(), ")".into()),
-        block_kind: mach_runtime::nc::dialect::BlockKind::Words,
-        feed_unit_um: 1000,
         sequence: Some(Sequence { address: "N".into(), start: 10, step: 10, greatest: 50 }),
         offset: "G54".into(),
         retract: None,

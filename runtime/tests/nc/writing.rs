@@ -148,7 +148,7 @@ fn inches_program_zero_and_tool_length() {
     axes[2].zero = 100.0;
     axes[2].length_share = 1.0;
     axes[3].zero = 10.0;
-    let mut writer = Writer::new(Dialect { units: LengthUnit::Inch, feed_unit_um: 25_400, ..plain() }, &axes);
+    let mut writer = Writer::new(Dialect { units: LengthUnit::Inch, ..plain() }, &axes);
     let mut out = Vec::new();
     let feed = Approach::Feed(Some(Feed::PerMinute(254.0)));
     writer.motion(feed, &[25.4, 0.0, 100.0 + 50.8 + 120.0, 30.0, 25.4], 120.0, &mut out).expect("printed");

@@ -1,13 +1,13 @@
 //! The runtime's tables as Rust expressions.
 
 use mach_runtime::dialect::meaning::Wrap;
-use mach_runtime::dialect::table::{Form, FormMeaning, Table, TableWord};
+use mach_runtime::dialect::table::{BlockKind, Form, FormMeaning, Table};
 use mach_runtime::kinematics::Pole;
 use mach_runtime::machine::{
     Axis, BranchPolicy, Chain, Component, ErrorTable, Joint, Machine, Motion, Preference, Rule, Strictness,
     ToolGeometry, Travel, Written,
 };
-use mach_runtime::nc::dialect::{Block, BlockKind, Codes, Dialect, Line, Piece, Sequence, Trigger, Value, Word};
+use mach_runtime::nc::dialect::{Block, Codes, Dialect, Line, Piece, Sequence, Trigger, Value, Word};
 use mach_runtime::number::{DecimalPoint, Picture};
 use mach_runtime::unit::LengthUnit;
 
@@ -18,7 +18,7 @@ pub(super) trait Literal {
 }
 
 /// The functions that the literals call, by their names.
-pub(super) const HELPERS: [(&str, &str); 6] = [
+pub(super) const HELPERS: [(&str, &str); 7] = [
     (
         "numbered",
         "/// A line with a sequence number.
@@ -45,6 +45,13 @@ fn code(address: &str, thousandths: i64) -> PatternWord { PatternWord::Code { ad
         "hole",
         "/// A letter and a number that the program says.
 fn hole(address: &str, hole: Hole) -> PatternWord { PatternWord::Hole { address: address.to_owned(), hole } }",
+    ),
+    (
+        "word",
+        "/// A word with a number of its own.
+fn word(address: &str, role: Role, metric: f64, inch: f64, pointless: Option<f64>) -> TableWord {
+    TableWord { address: address.to_owned(), role, metric, inch, pointless }
+}",
     ),
     ("text", "/// Printed as it is.\nfn text(text: &str) -> Piece { Piece::Text(text.to_owned()) }"),
 ];
@@ -97,11 +104,10 @@ structs! {
     ErrorTable { axis, component, rows }
     BranchPolicy { start, then, reposition }
     Dialect {
-        name, units, extension, comment, block_kind, sequence, offset, retract, codes, axes, feed, feed_unit_um,
-        feed_per_revolution, modal_groups, blocks, table,
+        name, units, extension, comment, sequence, offset, retract, codes, axes, feed, feed_per_revolution,
+        modal_groups, blocks, table,
     }
     Table { blocks, comment, sequence, continued, words, forms, patterns, wrap, inch_feed_mm, power_on }
-    TableWord { address, role, metric, inch, pointless }
     Form { meaning, before, between, behind }
     Picture { plus, integer_digits, integer_least, decimals, decimals_least, point, zero }
     Word { name, address, picture }

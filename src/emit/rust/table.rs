@@ -3,7 +3,7 @@
 use super::literal::{Literal, list};
 use mach_runtime::dialect::meaning::Meaning;
 use mach_runtime::dialect::pattern::{Argument, Pattern, PatternWord};
-use mach_runtime::dialect::table::Role;
+use mach_runtime::dialect::table::{Role, TableWord};
 
 impl Literal for Meaning {
     fn literal(&self) -> String {
@@ -59,6 +59,15 @@ impl Literal for Argument {
             Self::Literal(text) => format!("Argument::Literal({})", text.literal()),
             Self::Text(hole) => format!("Argument::Text(Hole::{hole:?})"),
         }
+    }
+}
+
+/// By a function of the helpers, too.
+impl Literal for TableWord {
+    fn literal(&self) -> String {
+        let Self { address, role, metric, inch, pointless } = self;
+        let numbers = [metric.literal(), inch.literal(), pointless.literal()].join(", ");
+        format!("word({address:?}, {}, {numbers})", role.literal())
     }
 }
 

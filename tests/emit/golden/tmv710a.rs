@@ -358,7 +358,6 @@ pub fn dialect() -> Dialect {
         units: LengthUnit::Millimetre,
         extension: "nc".to_owned(),
         comment: ("(".to_owned(), ")".to_owned()),
-        block_kind: BlockKind::Words,
         sequence: Some(Sequence {
             address: "N".to_owned(),
             start: 10,
@@ -452,7 +451,6 @@ pub fn dialect() -> Dialect {
                 zero: None,
             },
         },
-        feed_unit_um: 1000,
         feed_per_revolution: Word {
             name: "F".to_owned(),
             address: "F".to_owned(),
@@ -692,97 +690,19 @@ pub fn dialect() -> Dialect {
             sequence: Some("N".to_owned()),
             continued: None,
             words: Vec::from([
-                TableWord {
-                    address: "X".to_owned(),
-                    role: Role::Axis(0),
-                    metric: 1.0,
-                    inch: 25.4,
-                    pointless: None,
-                },
-                TableWord {
-                    address: "Y".to_owned(),
-                    role: Role::Axis(1),
-                    metric: 1.0,
-                    inch: 25.4,
-                    pointless: None,
-                },
-                TableWord {
-                    address: "Z".to_owned(),
-                    role: Role::Axis(2),
-                    metric: 1.0,
-                    inch: 25.4,
-                    pointless: None,
-                },
-                TableWord {
-                    address: "A".to_owned(),
-                    role: Role::Axis(3),
-                    metric: 1.0,
-                    inch: 1.0,
-                    pointless: None,
-                },
-                TableWord {
-                    address: "C".to_owned(),
-                    role: Role::Axis(4),
-                    metric: 1.0,
-                    inch: 1.0,
-                    pointless: None,
-                },
-                TableWord {
-                    address: "I".to_owned(),
-                    role: Role::Centre(0),
-                    metric: 1.0,
-                    inch: 1.0,
-                    pointless: None,
-                },
-                TableWord {
-                    address: "J".to_owned(),
-                    role: Role::Centre(1),
-                    metric: 1.0,
-                    inch: 1.0,
-                    pointless: None,
-                },
-                TableWord {
-                    address: "K".to_owned(),
-                    role: Role::Centre(2),
-                    metric: 1.0,
-                    inch: 1.0,
-                    pointless: None,
-                },
-                TableWord {
-                    address: "R".to_owned(),
-                    role: Role::Radius,
-                    metric: 1.0,
-                    inch: 1.0,
-                    pointless: None,
-                },
-                TableWord {
-                    address: "F".to_owned(),
-                    role: Role::Feed,
-                    metric: 1.0,
-                    inch: 1.0,
-                    pointless: Some(1.0),
-                },
-                TableWord {
-                    address: "F".to_owned(),
-                    role: Role::Feed,
-                    metric: 1.0,
-                    inch: 1.0,
-                    pointless: Some(1.0),
-                },
-                TableWord {
-                    address: "S".to_owned(),
-                    role: Role::Speed,
-                    metric: 1.0,
-                    inch: 1.0,
-                    pointless: Some(1.0),
-                },
-                TableWord {
-                    address: "T".to_owned(),
-                    role: Role::Tool,
-                    metric: 1.0,
-                    inch: 1.0,
-                    pointless: Some(1.0),
-                },
+                word("X", Role::Axis(0), 1.0, 25.4, None),
+                word("Y", Role::Axis(1), 1.0, 25.4, None),
+                word("Z", Role::Axis(2), 1.0, 25.4, None),
+                word("A", Role::Axis(3), 1.0, 1.0, None),
+                word("C", Role::Axis(4), 1.0, 1.0, None),
+                word("I", Role::Centre(0), 1.0, 1.0, None),
+                word("J", Role::Centre(1), 1.0, 1.0, None),
+                word("K", Role::Centre(2), 1.0, 1.0, None),
+                word("R", Role::Radius, 1.0, 1.0, None),
+                word("F", Role::Feed, 1.0, 1.0, Some(1.0)),
+                word("F", Role::Feed, 1.0, 1.0, Some(1.0)),
+                word("S", Role::Speed, 1.0, 1.0, Some(1.0)),
+                word("T", Role::Tool, 1.0, 1.0, Some(1.0)),
             ]),
             forms: Vec::new(),
             patterns: Vec::from([
@@ -962,6 +882,23 @@ fn hole(address: &str, hole: Hole) -> PatternWord {
     PatternWord::Hole {
         address: address.to_owned(),
         hole,
+    }
+}
+
+/// A word with a number of its own.
+fn word(
+    address: &str,
+    role: Role,
+    metric: f64,
+    inch: f64,
+    pointless: Option<f64>,
+) -> TableWord {
+    TableWord {
+        address: address.to_owned(),
+        role,
+        metric,
+        inch,
+        pointless,
     }
 }
 
