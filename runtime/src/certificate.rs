@@ -1,6 +1,7 @@
 //! The certificate: how close the printed program is to the CL, and how close the machine comes to its limits.
 
 use crate::machine::{Axis, Motion};
+use crate::number::fixed;
 use crate::vector::{Vec3, cross, dot, sub};
 use std::fmt;
 
@@ -239,7 +240,7 @@ impl fmt::Display for Certificate {
 impl fmt::Display for Range {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let unit = self.axis.motion.unit();
-        let span = format!("{:.3} .. {:.3} {unit}", rounded(self.least().value), rounded(self.greatest.value));
+        let span = format!("{} .. {} {unit}", fixed(self.least().value, 3), fixed(self.greatest.value, 3));
         write!(f, "{:<22}{span:<30}", format!("{} goes", self.axis.name))?;
         match (self.lower_margin().is_finite(), self.upper_margin().is_finite()) {
             (false, false) => write!(f, "no limit"),
@@ -250,9 +251,4 @@ impl fmt::Display for Range {
             }
         }
     }
-}
-
-/// To three decimals, so that what rounds to zero has no minus.
-fn rounded(value: f64) -> f64 {
-    (value * 1000.0).round() / 1000.0 + 0.0
 }

@@ -14,7 +14,7 @@ mod usual_decimal;
 pub(crate) use counter::Counter;
 pub(crate) use decimal::Decimal;
 pub use picture::{DecimalPoint, Picture};
-pub use rounded::{fixed, rounded, short};
+pub use rounded::{fixed, short};
 pub(crate) use rounding::Rounding;
 pub(crate) use short_number::ShortNumber;
 pub(crate) use usual_decimal::usual_decimal;

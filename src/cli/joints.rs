@@ -17,6 +17,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use super::machine::Prepared;
+use super::unsigned_zero::unsigned_zero;
 
 /// The longest line that is read.
 const LONGEST_LINE_BYTES: u64 = 64 * 1024;
@@ -118,7 +119,6 @@ fn pose(machine: &Machine, kinematics: &mut dyn Kinematics, values: &[f64], line
     let joints = values.iter().map(|value| [*value; LANES]).collect();
     let mut poses = PoseBlock::ZERO;
     kinematics.forward(&joints, machine.tool(), &mut poses);
-    let unsigned_zero = |vector: [f64; 3]| vector.map(|component| component + 0.0);
     let tip_mm = from_program_zero(machine, poses.tip(0));
     Pose { line, tip_mm: unsigned_zero(tip_mm), axis: unsigned_zero(poses.axis(0)) }
 }

@@ -24,6 +24,7 @@ mod solver;
 mod test;
 mod text_diff;
 mod toolpath;
+mod unsigned_zero;
 mod verify;
 mod workspace;
 

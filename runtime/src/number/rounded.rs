@@ -1,7 +1,7 @@
 //! Values for people's eyes.
 
 /// The value to so many decimals. What rounds to zero has no minus.
-pub fn rounded(value: f64, decimals: usize) -> f64 {
+fn rounded(value: f64, decimals: usize) -> f64 {
     let one = (0..decimals).fold(1.0, |one, _| 10.0 * one);
     (value * one).round() / one + 0.0
 }

@@ -2,7 +2,7 @@
 
 use mach_runtime::certificate::Range;
 use mach_runtime::kinematics::Miss;
-use mach_runtime::number::rounded;
+use mach_runtime::number::fixed;
 use machc::compare::{Apart, Comparison, Count, Refusal, Way, WordChange};
 
 pub(super) fn comparison(comparison: &Comparison, files: [&str; 2], cl: &str) -> String {
@@ -54,7 +54,7 @@ fn row(word: &WordChange) -> String {
         return format!("{name:<8}{:>8}\n", "-");
     }
     let by = format!("{:.4} {}", largest.value, motion.unit());
-    format!("{name:<8}{points:>8}{by:>20}{:>9}{:>13.4}{:>13.4}\n", largest.line, rounded(*old, 4), rounded(*new, 4))
+    format!("{name:<8}{points:>8}{by:>20}{:>9}{:>13}{:>13}\n", largest.line, fixed(*old, 4), fixed(*new, 4))
 }
 
 fn tool(comparison: &Comparison) -> String {
@@ -97,7 +97,7 @@ fn margin_row(old: &Range, new: &Range) -> String {
     let margin = |margin: f64, range: &Range| match (range.is_visited(), margin.is_finite()) {
         (false, _) => "-".to_owned(),
         (_, false) => "no limit".to_owned(),
-        (_, true) => format!("{:.3}", rounded(margin, 3)),
+        (_, true) => fixed(margin, 3),
     };
     let [a, b] = [margin(old.lower_margin(), old), margin(new.lower_margin(), new)];
     let [c, d] = [margin(old.upper_margin(), old), margin(new.upper_margin(), new)];

@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use super::super::axis_values::AxisValues;
 use super::super::in_force::InForce;
+use super::super::unsigned_zero::unsigned_zero;
 
 #[derive(Serialize)]
 pub(super) struct Message<'a> {
@@ -82,7 +83,6 @@ impl<'a> Going<'a> {
 
 impl Arc {
     fn new(arc: &motion::Arc) -> Self {
-        let unsigned_zero = |vector: [f64; 3]| vector.map(|component| component + 0.0);
         Self {
             centre_mm: unsigned_zero(arc.centre_mm),
             radius_mm: arc.radius_mm,

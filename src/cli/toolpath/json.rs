@@ -5,6 +5,7 @@ use mach_runtime::toolpath::{Approach, Command, Coolant, Item, Point, Spindle, W
 use serde::Serialize;
 
 use super::super::in_force::InForce;
+use super::super::unsigned_zero::unsigned_zero;
 
 #[derive(Serialize)]
 pub(super) struct Message<'a> {
@@ -86,8 +87,4 @@ impl Pose {
     fn of(point: &Point) -> Self {
         Self { tip_mm: unsigned_zero(point.tip_mm), axis: unsigned_zero(point.axis) }
     }
-}
-
-fn unsigned_zero(vector: [f64; 3]) -> [f64; 3] {
-    vector.map(|component| component + 0.0)
 }
