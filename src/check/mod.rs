@@ -67,3 +67,7 @@ const PARALLEL_SINE: f64 = 1e-6;
 fn error(draft: &Draft<'_>, code: &'static Code, message: String, at: &Location, label: &str) -> Diagnostic {
     Diagnostic::error(code, message).at(draft.sources.place(at), label)
 }
+
+fn warning(draft: &Draft<'_>, code: &'static Code, message: String, at: &Location, label: &str) -> Diagnostic {
+    Diagnostic::warning(code, message).at(draft.sources.place(at), label)
+}

@@ -1,6 +1,6 @@
 //! A controller that prints `{retract}` for a machine without an end to retract to. Looks at the finished tables.
 
-use crate::diagnostic::{Code, Diagnostic, Severity};
+use crate::diagnostic::{Code, Diagnostic};
 use crate::model::draft::Draft;
 use crate::model::machine::Model;
 use crate::model::source::{Located, Location};
@@ -43,8 +43,7 @@ pub(crate) fn check(
     let name = &axes[retract.axis].name;
     let end = if retract.is_upper { "upper" } else { "lower" };
     let message = format!("`{{retract}}` needs the {end} end of the travel of {name}");
-    let found = super::error(draft, &NO_WAY_OUT, message, &at, "prints zero here");
-    let diagnostic = Diagnostic { severity: Severity::Warning, ..found };
+    let diagnostic = super::warning(draft, &NO_WAY_OUT, message, &at, "prints zero here");
     let axis = draft.axis(name).map(|(_, axis)| draft.sources.place(&axis.name.at));
     Some(axis.into_iter().fold(diagnostic, |diagnostic, at| diagnostic.at(at, "has no limits")))
 }

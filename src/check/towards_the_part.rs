@@ -1,7 +1,7 @@
 //! A way out that leads to the part. Looks at the finished tables: it takes the axes' travel and the controller's blocks, which
 //! are run on the control's model.
 
-use crate::diagnostic::{Code, Diagnostic, Severity};
+use crate::diagnostic::{Code, Diagnostic};
 use crate::model::draft::Draft;
 use crate::model::machine::Model;
 use crate::model::quantity::readable;
@@ -58,25 +58,38 @@ pub(crate) fn check(
     let found = moving.into_iter().find_map(|trigger| {
         let block = dialect.block(trigger)?;
         let ends = ends_mm(trigger, dialect, &machine, retract.axis);
-        let (end_mm, code) = ends.into_iter().find_map(|end_mm| Some((end_mm, judge(end_mm, &retract, &machine)?)))?;
-        Some((block, end_mm, code))
+        let (end_mm, wrong) = ends.into_iter().find_map(|end_mm| Some((end_mm, judge(end_mm, &retract, &machine)?)))?;
+        Some((block, end_mm, wrong))
     });
-    let (block, end_mm, code) = found?;
+    let (block, end_mm, wrong) = found?;
     let name = &machine.axes[retract.axis].name;
-    let message = match code.id {
-        "E0557" => format!("`on {}` takes {name} towards the part", block.trigger.name()),
-        _ => format!("as this file counts, `on {}` takes {name} where the part is", block.trigger.name()),
-    };
     let at = statements.iter().rev().find_map(|statement| said(statement, block))?;
     let Travel { lower, upper } = machine.axes[retract.axis].travel;
     let [end, lower, upper] = [end_mm, lower, upper].map(readable);
     let label = format!("goes to {name} {end} of a travel from {lower} to {upper}");
-    let severity = if code.id.starts_with('E') { Severity::Error } else { Severity::Warning };
-    Some(Diagnostic { severity, ..super::error(draft, code, message, &at, &label) })
+    let on = block.trigger.name();
+    Some(match wrong {
+        Wrong::HoweverCounted => {
+            let message = format!("`on {on}` takes {name} towards the part");
+            super::error(draft, &TOWARDS_THE_PART, message, &at, &label)
+        }
+        Wrong::AsCounted => {
+            let message = format!("as this file counts, `on {on}` takes {name} where the part is");
+            super::warning(draft, &LOWEST, message, &at, &label)
+        }
+    })
+}
+
+/// What is wrong with a way out.
+enum Wrong {
+    /// It leads towards the part from whichever end the control counts the travel.
+    HoweverCounted,
+    /// It leads there if the control counts as the file does.
+    AsCounted,
 }
 
 /// What is wrong with going there.
-fn judge(end_mm: f64, retract: &Retract, machine: &Machine) -> Option<&'static Code> {
+fn judge(end_mm: f64, retract: &Retract, machine: &Machine) -> Option<Wrong> {
     let Travel { lower, upper } = machine.axes[retract.axis].travel;
     let length_mm = upper - lower;
     // Above the end where the part is: as the file counts, and as a control counts that has its zero at the other end.
@@ -85,8 +98,8 @@ fn judge(end_mm: f64, retract: &Retract, machine: &Machine) -> Option<&'static C
     let is_low = |above_mm: f64| above_mm < 0.5 * length_mm;
     match (is_low(by_file_mm) && is_low(from_the_top_mm), by_file_mm <= 0.0) {
         _ if !length_mm.is_finite() => None,
-        (true, _) => Some(&TOWARDS_THE_PART),
-        (false, true) => Some(&LOWEST),
+        (true, _) => Some(Wrong::HoweverCounted),
+        (false, true) => Some(Wrong::AsCounted),
         (false, false) => None,
     }
 }
@@ -100,9 +113,7 @@ fn ends_mm(trigger: Trigger, dialect: &Dialect, machine: &Machine, axis: usize) 
     let _ = writer.command(trigger, &values, &mut text);
     let mut control = Control::new(&dialect.table, &machine.axes, machine.tool());
     let mut motion = Motion::new(machine.axes.len());
-    for (number, line) in (1..).zip(String::from_utf8_lossy(&text).lines()) {
-        let _ = control.run(line, number, &mut motion);
-    }
+    control.run_what_it_can(&String::from_utf8_lossy(&text), &mut motion);
     let ends = motion.items().iter().filter_map(|item| match &item.what {
         What::Move(it) if it.is_machine && it.named & it.known & 1 << axis != 0 => Some(motion.joints(it)[axis]),
         _ => None,

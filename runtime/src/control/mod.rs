@@ -147,6 +147,13 @@ impl<'m> Control<'m> {
         self.try_block(number, out).map_err(|mistake| (mistake, span))
     }
 
+    /// Runs a text line by line, and leaves out what it does not understand.
+    pub fn run_what_it_can(&mut self, text: &str, out: &mut Motion) {
+        for (number, line) in (1..).zip(text.lines()) {
+            let _ = self.run(line, number, out);
+        }
+    }
+
     /// The block that ends in a line, and where it stands.
     fn whole_block(&mut self, text: &str) -> Result<Option<(Block, Range<usize>)>, Fault> {
         let line = line::block(text, self.table)?;

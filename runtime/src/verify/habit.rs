@@ -82,9 +82,7 @@ fn program(machine: &Machine, dialect: &Dialect) -> (Vec<Item>, Motion) {
     let _ = writer.command(Trigger::End, &values, &mut text);
     let mut control = Control::new(&dialect.table, &machine.axes, machine.tool());
     let mut motion = Motion::new(machine.axes.len());
-    for (number, line) in String::from_utf8_lossy(&text).lines().enumerate() {
-        let _ = control.run(line, number as u64 + 1, &mut motion);
-    }
+    control.run_what_it_can(&String::from_utf8_lossy(&text), &mut motion);
     (motion.items().to_vec(), motion)
 }
 
