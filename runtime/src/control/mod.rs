@@ -49,8 +49,6 @@ pub struct Control<'m> {
     is_over: bool,
     /// The text of lines that go on in the next one.
     continued: String,
-    /// Whether the last state of the motion is the one in force.
-    is_state_told: bool,
     /// The last block, whose room is used again.
     block: Block,
     /// What was modal and where the axes were before it.
@@ -76,7 +74,6 @@ impl<'m> Control<'m> {
             has_begun: false,
             is_over: false,
             continued: String::new(),
-            is_state_told: false,
             block: Block::default(),
         }
     }
@@ -84,6 +81,11 @@ impl<'m> Control<'m> {
     /// The block that was run last.
     pub fn block(&self) -> &Block {
         &self.block
+    }
+
+    /// Whether the program has said that it is over.
+    pub fn is_over(&self) -> bool {
+        self.is_over
     }
 
     /// Whether the last line goes on in the next one.
@@ -98,7 +100,6 @@ impl<'m> Control<'m> {
 
     /// Puts what is modal into a state, as if blocks had done so.
     pub fn set_modal(&mut self, modal: Modal) {
-        self.is_state_told = false;
         self.modal = modal;
         self.has_begun = true;
     }
@@ -182,7 +183,6 @@ impl<'m> Control<'m> {
 
     /// Carries the block out, whole or not at all.
     fn try_block(&mut self, line: u64, out: &mut Motion) -> Result<(), Mistake> {
-        self.is_state_told = false;
         (self.before.0, self.before.2) = (self.modal, self.known);
         self.before.1.copy_from_slice(&self.joints);
         let (block, items) = (mem::take(&mut self.block), out.items().len());
@@ -257,17 +257,12 @@ impl<'m> Control<'m> {
     fn take_words(&mut self, block: &Block) {
         self.modal.called_tool = block.tool.map(|tool| tool as u32).or(self.modal.called_tool);
         self.modal.state.speed_rpm = block.speed.unwrap_or(self.modal.state.speed_rpm);
-        self.modal.feed = block.feed.or(self.modal.feed);
-        self.convert_feed();
+        self.take_feed(block.feed);
     }
 
-    fn feed(&mut self, feed: f64) {
-        self.modal.feed = Some(feed);
-        self.convert_feed();
-    }
-
-    /// The feed in metric units, as far as it is known what it counts.
-    fn convert_feed(&mut self) {
+    /// A feed word, if there is one, or the one before; in metric units, as far as it is known what it counts.
+    fn take_feed(&mut self, word: Option<f64>) {
+        self.modal.feed = word.or(self.modal.feed);
         let is_inch = self.modal.units == Some(LengthUnit::Inch);
         let (length, speed) = if is_inch { (25.4, self.table.inch_feed_mm) } else { (1.0, 1.0) };
         self.modal.state.feed = self.modal.feed.zip(self.modal.feed_mode).map(|(feed, mode)| match mode {

@@ -72,6 +72,7 @@ impl Control<'_> {
         Ok(())
     }
 
+    #[inline]
     fn push_move(&self, law: Law, named: u64, is_machine: bool, line: u64, out: &mut Motion) {
         let joints = out.push_joints(&self.joints);
         let state = out.push_state(&self.modal.state);
@@ -94,9 +95,8 @@ impl Control<'_> {
         if let Some(code) = self.block.codes.first() {
             self.modal.take(code.meaning, None);
         }
-        if let Some(feed) = self.block.feed {
-            self.feed(feed);
-            self.is_state_told = false;
+        if self.block.feed.is_some() {
+            self.take_feed(self.block.feed);
         }
         if self.block.axes.is_empty() {
             return;
@@ -109,12 +109,7 @@ impl Control<'_> {
         }
         self.known |= named;
         let law = if self.modal.motion == Some(MotionCode::Rapid) { Law::Rapid } else { Law::Line };
-        let joints = out.push_joints(&self.joints);
-        let state = out.last_state().filter(|_| self.is_state_told);
-        let state = state.unwrap_or_else(|| out.push_state(&self.modal.state));
-        self.is_state_told = true;
-        let what = What::Move(Move { law, joints, known: self.known, named, is_machine: false });
-        out.push(Item { line, state, what });
+        self.push_move(law, named, false, line, out);
     }
 
     fn refuse_what_is_not_followed(&self) -> Result<(), Mistake> {

@@ -78,12 +78,6 @@ impl Motion {
         self.arcs.len() as u32 - 1
     }
 
-    /// The number of the last state.
-    #[inline]
-    pub fn last_state(&self) -> Option<u32> {
-        (self.states.len() as u32).checked_sub(1)
-    }
-
     /// The number of a state, which the last one keeps while it does not change.
     pub fn push_state(&mut self, state: &State) -> u32 {
         if self.states.last() != Some(state) {

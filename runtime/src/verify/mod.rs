@@ -31,7 +31,7 @@ use crate::dialect::meaning::{Meaning, Once};
 use crate::dialect::table::Table;
 use crate::kinematics::Kinematics;
 use crate::machine::Machine;
-use crate::motion::{Event, Motion, What};
+use crate::motion::{Motion, What};
 use pose::{Pose, Solver};
 use std::io;
 
@@ -48,8 +48,6 @@ pub struct Verifier<'m> {
     poses: Vec<Option<Pose>>,
     before: Option<Pose>,
     last_line: u64,
-    /// Whether the program has said that it is over: what stands behind that is never run.
-    is_over: bool,
     unreadable: Unreadable,
 }
 
@@ -70,7 +68,6 @@ impl<'m> Verifier<'m> {
             poses: Vec::new(),
             before: None,
             last_line: 0,
-            is_over: false,
             unreadable: Unreadable::default(),
         }
     }
@@ -92,7 +89,8 @@ impl<'m> Verifier<'m> {
     /// # Errors
     /// When the CL cannot be read, or that which is written cannot.
     pub fn line(&mut self, text: &str, number: u64, tell: &mut dyn FnMut(Diagnostic)) -> io::Result<()> {
-        if self.is_over {
+        // What stands behind the end is never run.
+        if self.control.is_over() {
             let is_end = |block: &Block| block.has(Meaning::Once(Once::ProgramEnd));
             if !self.control.read(text).is_ok_and(|block| block.as_ref().is_none_or(is_end)) {
                 self.survey.behind_the_end(number);
@@ -107,7 +105,6 @@ impl<'m> Verifier<'m> {
                 if items.iter().any(|item| matches!(item.what, What::Move(_))) {
                     self.survey.suspect_state(number, self.control.modal());
                 }
-                self.is_over = items.iter().any(|item| item.what == What::Event(Event::End));
                 if self.motion.items().len() >= TOGETHER { self.look(tell) } else { Ok(()) }
             }
             Err(fault) => {
