@@ -1,10 +1,10 @@
-//! The road of all who take machines along a CL for its points alone: it is read in blocks of points that are solved together. A
-//! post reads the same blocks, many at a time, and minds the commands between them.
+//! The road of all who go along a CL: it is read in blocks of points that are solved together, and most are there for the points
+//! alone. A post reads the same blocks, many at a time.
 
 use crate::cl::{Next, Reader};
 use crate::diagnostic::Diagnostic;
 use crate::kinematics::LANES;
-use crate::toolpath::Point;
+use crate::toolpath::{Command, Point};
 use std::io::{self, Read};
 
 /// Who goes along it.
@@ -14,6 +14,9 @@ pub trait Traveller {
 
     /// Stands at a point before the next motion.
     fn stand_at(&mut self, point: &Point);
+
+    /// Hears what is said between the points, at a line of the CL. Most go along it for its points alone.
+    fn carry_out(&mut self, _command: &Command, _line: u64) {}
 
     /// Hears of a mistake in the CL.
     fn hear(&mut self, diagnostic: Diagnostic);
@@ -42,7 +45,8 @@ pub fn stage<R: Read>(
     let next = reader.next_into(points, LANES)?;
     traveller.go(points);
     match next {
-        Next::Full | Next::Command(..) => {}
+        Next::Full => {}
+        Next::Command(command, place) => traveller.carry_out(&command, place.line),
         Next::From(point) => traveller.stand_at(&point),
         Next::Diagnostic(diagnostic) => traveller.hear(diagnostic),
         Next::End => return Ok(false),

@@ -1,18 +1,16 @@
 //! The second half of a post: what was printed is run on the control's model, compared with the CL, and written out.
 
+use super::between::LookBetween;
 use super::job::Job;
 use super::otherwise;
-use super::stretch::{PrintedPoint, Stretch};
-use crate::certificate::{Certificate, Way};
+use super::stretch::Stretch;
+use crate::certificate::Certificate;
 use crate::cl::Next;
-use crate::compensation::Compensated;
 use crate::control::Control;
-use crate::coordinates::in_machine_frame;
 use crate::diagnostic::Diagnostic;
-use crate::kinematics::{JointBlock, Kinematics, LANES, PoseBlock};
+use crate::kinematics::Kinematics;
 use crate::motion::Motion;
-use crate::segment::Segments;
-use crate::toolpath::{Approach, Point};
+use crate::road::Traveller;
 use crate::verify::comparison::Comparison;
 use crate::verify::pose::{Pose, Solver};
 use std::io::{self, Write};
@@ -32,10 +30,10 @@ pub(super) struct Checker<'a, K> {
     lines: u64,
     agrees: bool,
     certificate: Certificate,
-    between: LookBetween<'a, K>,
+    between: LookBetween<'a>,
 }
 
-impl<'a, K: Kinematics + Clone> Checker<'a, K> {
+impl<'a, K: Kinematics> Checker<'a, K> {
     pub(super) fn new(job: Job<'a>, kinematics: K, nc: &'a mut dyn Write) -> Self {
         let Job { machine, dialect, .. } = job;
         Self {
@@ -45,12 +43,12 @@ impl<'a, K: Kinematics + Clone> Checker<'a, K> {
             motion: Motion::new(machine.axes.len()),
             poses: Vec::new(),
             before: None,
-            solver: Solver::new(machine, kinematics.clone()),
+            solver: Solver::new(machine, kinematics),
             comparison: Comparison::of_post(job.file, machine, dialect),
             lines: 0,
             agrees: true,
             certificate: Certificate::new(&machine.axes),
-            between: LookBetween::new(job, kinematics),
+            between: LookBetween::new(machine),
         }
     }
 
@@ -67,7 +65,7 @@ impl<'a, K: Kinematics + Clone> Checker<'a, K> {
         self.comparison.compare(&self.motion, &self.poses)?;
         self.tell(tell);
         self.watch(stretch);
-        self.between.look(stretch, &mut self.certificate);
+        self.between.look(stretch, &mut self.solver, &mut self.certificate.between);
         self.nc.write_all(&stretch.text)
     }
 
@@ -85,9 +83,9 @@ impl<'a, K: Kinematics + Clone> Checker<'a, K> {
     fn want(&mut self, stretch: &Stretch) {
         let wanted = self.comparison.want();
         for (points, next) in &stretch.blocks {
-            wanted.points(&stretch.points[points.clone()]);
+            wanted.go(&stretch.points[points.clone()]);
             if let Next::Command(command, place) = next {
-                wanted.command(command, place.line);
+                wanted.carry_out(command, place.line);
             }
         }
     }
@@ -123,56 +121,6 @@ impl<'a, K: Kinematics + Clone> Checker<'a, K> {
             if let Some(step_deg) = printed.rotary_step_deg {
                 self.certificate.step(line, step_deg);
             }
-        }
-    }
-}
-
-/// Looks at the ways to the points from those before them, which the solver's joints know: a word within a turn does not say
-/// how the axis gets there. Several blocks are an approach, which has a way of its own.
-struct LookBetween<'a, K> {
-    job: Job<'a>,
-    kinematics: Compensated<'a, K>,
-    segments: Segments<'a>,
-    joints: JointBlock,
-    poses: PoseBlock,
-    wanted: PoseBlock,
-}
-
-impl<'a, K: Kinematics> LookBetween<'a, K> {
-    fn new(job: Job<'a>, kinematics: K) -> Self {
-        let machine = job.machine;
-        Self {
-            job,
-            kinematics: Compensated::new(kinematics, machine),
-            segments: Segments::new(&machine.chain, machine.tool()),
-            joints: vec![[0.0; LANES]; machine.axes.len()],
-            poses: PoseBlock::ZERO,
-            wanted: PoseBlock::ZERO,
-        }
-    }
-
-    fn look(&mut self, stretch: &Stretch, certificate: &mut Certificate) {
-        let joints = stretch.joints.chunks(LANES * self.joints.len());
-        for (printed, joints) in stretch.printed.chunks(LANES).zip(joints) {
-            self.look_at(printed, joints, &stretch.points, certificate);
-        }
-    }
-
-    fn look_at(&mut self, printed: &[PrintedPoint], solved: &[f64], points: &[Point], certificate: &mut Certificate) {
-        let Self { job: Job { machine, .. }, kinematics, segments, joints, poses, wanted } = self;
-        for (lane, printed) in printed.iter().enumerate() {
-            let Point { tip_mm, axis, .. } = points[printed.point];
-            wanted.set(lane, in_machine_frame(machine, tip_mm), axis);
-        }
-        segments.go_to(solved, &wanted.tip_mm);
-        segments.half_way(joints);
-        kinematics.forward(joints, machine.tool(), poses);
-        for (lane, printed) in printed.iter().enumerate().filter(|(_, printed)| printed.is_next && printed.blocks == 1)
-        {
-            let Point { approach, line, .. } = points[printed.point];
-            let is_cut = matches!(approach, Approach::Feed(_));
-            let way = Way { is_cut, line, quick_mm: segments.quick_bound_mm(lane) };
-            certificate.between.meet(way, machine.chord_tolerance_mm, || segments.deviation_mm(lane, poses.tip(lane)));
         }
     }
 }

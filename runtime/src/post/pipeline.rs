@@ -21,7 +21,7 @@ pub(super) struct Pipeline<'a, R, K> {
     pub(super) tell: &'a mut dyn FnMut(Diagnostic),
 }
 
-impl<R: Read, K: Kinematics + Clone> Pipeline<'_, R, K> {
+impl<R: Read, K: Kinematics> Pipeline<'_, R, K> {
     /// Posts the whole program on one thread.
     ///
     /// # Errors
@@ -80,7 +80,7 @@ impl<R: Read, K: Kinematics + Clone> Pipeline<'_, R, K> {
 }
 
 /// Tells and checks what the printer has left. Says whether the program goes on.
-fn finish<K: Kinematics + Clone>(
+fn finish<K: Kinematics>(
     stretch: &mut Stretch,
     checker: &mut Checker<'_, K>,
     tell: &mut dyn FnMut(Diagnostic),

@@ -24,8 +24,6 @@ const MOST_DIFFERENCES: u64 = 20;
 pub struct Comparison<'a> {
     cl: String,
     stream: WantedStream<'a>,
-    /// Whether the program has just been made of the CL: then the CL's lines are of interest, not its own.
-    is_of_post: bool,
     habit: Habit,
     tolerance: Tolerance<'a>,
     judgement: Judgement,
@@ -84,7 +82,6 @@ impl<'a> Comparison<'a> {
     fn with(cl: &str, stream: WantedStream<'a>, machine: &'a Machine, dialect: &Dialect) -> Self {
         Self {
             cl: cl.to_owned(),
-            is_of_post: stream.is_in_pieces(),
             stream,
             last_line: 0,
             habit: Habit::of(machine, dialect),
@@ -259,7 +256,10 @@ impl<'a> Comparison<'a> {
             let message = "the tool is lowered before the other axes are in place";
             self.differ(Difference::WayOut, message, at, Some(cl_line));
         }
-        self.reached.push(PointReached { joints: it.joints, wanted: there, line, cl_line });
+        // The words of a post are those of joints that have just been solved for.
+        if !self.stream.is_in_pieces() {
+            self.reached.push(PointReached { joints: it.joints, wanted: there, line, cl_line });
+        }
         self.agreement.reach(pose, there, self.line_of(line, cl_line));
         self.at = Some(pose);
         self.last_line = line;
@@ -311,9 +311,9 @@ impl<'a> Comparison<'a> {
         self.stream.pass(1);
     }
 
-    /// The line that the largest errors are at.
+    /// The line that the largest errors are at: a program that has just been made of the CL is not what is of interest.
     fn line_of(&self, line: u64, cl_line: u64) -> u64 {
-        if self.is_of_post { cl_line } else { line }
+        if self.stream.is_in_pieces() { cl_line } else { line }
     }
 
     fn event(&mut self, event: Event, state: &State, line: u64) -> io::Result<()> {

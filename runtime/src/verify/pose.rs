@@ -72,6 +72,11 @@ impl<'m, K: Kinematics> Solver<'m, K> {
         }
     }
 
+    /// Where joints take the tool, lane by lane.
+    pub(crate) fn forward(&mut self, joints: &JointBlock, poses: &mut PoseBlock) {
+        self.kinematics.forward(joints, self.machine.tool(), poses);
+    }
+
     fn set_joints(&mut self, lane: usize, joints: &[f64]) {
         self.joints.iter_mut().zip(joints).for_each(|(lanes, joint)| lanes[lane] = *joint);
     }

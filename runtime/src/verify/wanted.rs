@@ -1,11 +1,12 @@
 //! What the CL wants, one after the other, everything resolved.
 
 use super::pose::Pose;
-use crate::cl::{Next, Reader};
+use crate::cl::Reader;
 use crate::coordinates::in_machine_frame;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::machine::Machine;
 use crate::motion::{Event, State};
+use crate::road::{Traveller, stage};
 use crate::toolpath::{self, Approach, Command, Point};
 use std::collections::VecDeque;
 use std::io::{self, Read};
@@ -97,35 +98,14 @@ impl<'a> WantedStream<'a> {
     fn fill(&mut self, count: usize) -> io::Result<()> {
         while self.queue.len() < count
             && !self.has_ended
-            && let Some(reader) = &mut self.reader
+            && let Some(mut reader) = self.reader.take()
         {
-            self.points.clear();
-            let next = reader.next_into(&mut self.points, AHEAD)?;
-            let points = std::mem::take(&mut self.points);
-            self.points(&points);
-            self.points = points;
-            match next {
-                Next::Full | Next::From(_) => {}
-                Next::Command(command, place) => self.command(&command, place.line),
-                Next::Diagnostic(diagnostic) => {
-                    self.has_errors |= diagnostic.severity == Severity::Error;
-                    self.diagnostics.push(diagnostic);
-                }
-                Next::End => self.has_ended = true,
-            }
+            let mut points = std::mem::take(&mut self.points);
+            let goes_on = stage(&mut reader, &mut points, self);
+            (self.reader, self.points) = (Some(reader), points);
+            self.has_ended = !goes_on?;
         }
         Ok(())
-    }
-
-    /// Takes the next points.
-    pub(crate) fn points(&mut self, points: &[Point]) {
-        if self.queue.is_empty() {
-            self.states.clear();
-        }
-        for point in points {
-            let wanted = self.point(point);
-            self.queue.push_back(wanted);
-        }
     }
 
     fn point(&mut self, point: &Point) -> Wanted {
@@ -139,18 +119,42 @@ impl<'a> WantedStream<'a> {
         Wanted { line: point.line, what: WantedWhat::Point { pose, is_cut, state } }
     }
 
-    /// Takes the next command.
-    pub(crate) fn command(&mut self, command: &Command, line: u64) {
+    fn event(&mut self, command: &Command) -> Option<Event> {
         // The tool that is in the spindle is not changed for itself.
         let is_new = self.state.take(command);
-        let event = match command {
+        match command {
             Command::Tool { number, .. } => is_new.then_some(Event::ToolChange(*number as u32)),
             Command::Stop => Some(Event::Stop),
             Command::OptionalStop => Some(Event::OptionalStop),
             Command::Dwell(seconds) => Some(Event::Dwell(*seconds)),
             Command::SpindleOn(..) | Command::SpindleOff | Command::CoolantOn(_) | Command::CoolantOff => None,
             Command::Operation { .. } | Command::Message(_) => None,
-        };
+        }
+    }
+}
+
+/// What it meets is wanted from here on.
+impl Traveller for WantedStream<'_> {
+    fn go(&mut self, points: &[Point]) {
+        if self.queue.is_empty() {
+            self.states.clear();
+        }
+        for point in points {
+            let wanted = self.point(point);
+            self.queue.push_back(wanted);
+        }
+    }
+
+    /// No motion leads there.
+    fn stand_at(&mut self, _point: &Point) {}
+
+    fn carry_out(&mut self, command: &Command, line: u64) {
+        let event = self.event(command);
         self.queue.extend(event.map(|event| Wanted { line, what: WantedWhat::Event(event) }));
+    }
+
+    fn hear(&mut self, diagnostic: Diagnostic) {
+        self.has_errors |= diagnostic.severity == Severity::Error;
+        self.diagnostics.push(diagnostic);
     }
 }
