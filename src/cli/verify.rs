@@ -9,7 +9,7 @@ use mach_command::report::{Collected, Report};
 use mach_command::toolpath::{Options, quoted};
 use mach_runtime::machine::Machine;
 use mach_runtime::nc::dialect::Dialect;
-use mach_runtime::verify::{Agreement, Comparison, ReverseCl, Survey, Verifier};
+use mach_runtime::verify::{Agreement, Comparison, Failed, ReverseCl, Survey, Verifier};
 use machc::plan::{Interpreter, Plan};
 use serde::Serialize;
 
@@ -93,7 +93,10 @@ fn verify(
     let mut kinematics = Interpreter::new(plan);
     let mut verifier = Verifier::new(shown(program), &dialect.table, machine, &mut kinematics);
     verifier = verifier.against(comparison).written_as(reverse);
-    let cannot = |error| cannot_read(program, &error);
+    let cannot = |failed| match failed {
+        Failed::Against(error) => cannot_read(arguments.against.as_deref().unwrap_or_default(), &error),
+        Failed::WrittenAs(error) => cannot_write(cl, &error),
+    };
     while let Some((text, number)) = lines.next()? {
         verifier.line(&text, number, &mut |it| told.add(it)).map_err(cannot)?;
     }

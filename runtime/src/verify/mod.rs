@@ -51,6 +51,15 @@ pub struct Verifier<'m> {
     unreadable: Unreadable,
 }
 
+/// What could not be read or written beside the program.
+#[derive(Debug)]
+pub enum Failed {
+    /// The CL that it is compared with.
+    Against(io::Error),
+    /// The CL that it is written as.
+    WrittenAs(io::Error),
+}
+
 /// So many items are looked at together: what is done for many costs less, and they stay in the processor's cache.
 const TOGETHER: usize = 512;
 
@@ -88,7 +97,7 @@ impl<'m> Verifier<'m> {
     ///
     /// # Errors
     /// When the CL cannot be read, or that which is written cannot.
-    pub fn line(&mut self, text: &str, number: u64, tell: &mut dyn FnMut(Diagnostic)) -> io::Result<()> {
+    pub fn line(&mut self, text: &str, number: u64, tell: &mut dyn FnMut(Diagnostic)) -> Result<(), Failed> {
         // What stands behind the end is never run.
         if self.control.is_over() {
             let is_end = |block: &Block| block.has(Meaning::Once(Once::ProgramEnd));
@@ -116,17 +125,19 @@ impl<'m> Verifier<'m> {
     }
 
     /// Looks at what has been read.
-    fn look(&mut self, tell: &mut dyn FnMut(Diagnostic)) -> io::Result<()> {
+    fn look(&mut self, tell: &mut dyn FnMut(Diagnostic)) -> Result<(), Failed> {
         let Self { file, solver, comparison, reverse, survey, motion, poses, before, .. } = self;
         solver.poses(motion, *before, poses);
         survey.take(motion, poses, *before);
         if let Some(comparison) = comparison {
-            comparison.compare(motion, poses)?;
+            comparison.compare(motion, poses).map_err(Failed::Against)?;
             comparison.judge_words(motion, solver);
             comparison.tell(file, tell);
         }
         if let Some(reverse) = reverse {
-            motion.items().iter().zip(&*poses).try_for_each(|(item, pose)| reverse.take(item, motion, *pose))?;
+            let mut items = motion.items().iter().zip(&*poses);
+            let written = items.try_for_each(|(item, pose)| reverse.take(item, motion, *pose));
+            written.map_err(Failed::WrittenAs)?;
         }
         *before = poses.last().copied().unwrap_or(*before);
         motion.clear();
@@ -137,14 +148,15 @@ impl<'m> Verifier<'m> {
     ///
     /// # Errors
     /// As [`Self::line`].
-    pub fn finish(mut self, tell: &mut dyn FnMut(Diagnostic)) -> io::Result<(Survey, Option<Agreement>)> {
+    pub fn finish(mut self, tell: &mut dyn FnMut(Diagnostic)) -> Result<(Survey, Option<Agreement>), Failed> {
         self.look(tell)?;
         if self.control.is_continued() {
             self.unreadable.meet(&self.file, ("", self.last_line), (Mistake::Unfinished, 0..0), tell);
         }
-        self.reverse.map(ReverseCl::end).transpose()?;
+        self.reverse.map(ReverseCl::end).transpose().map_err(Failed::WrittenAs)?;
         let end = (self.file.as_str(), self.last_line);
-        let agreement = self.comparison.map(|comparison| against(comparison, end, tell)).transpose()?;
+        let agreement = self.comparison.map(|comparison| against(comparison, end, tell));
+        let agreement = agreement.transpose().map_err(Failed::Against)?;
         self.survey.suspicions(&self.file).into_iter().for_each(tell);
         Ok((self.survey, agreement))
     }
